@@ -1,0 +1,120 @@
+/* The typed scene: what a scene file says, with every default filled in, checked, in plain structs.
+ *
+ * A scene holds what the user wrote: no law is opened and no scale is applied here (that is the work of laws/
+ * and run/).  The table in schema.c is the only place where keys, types, ranges, defaults and meanings stand;
+ * reading, resolved.yaml, the nearest-name messages and the manual are printed from it. */
+#ifndef CAPSELLA_CONFIG_SCENE_H
+#define CAPSELLA_CONFIG_SCENE_H
+
+#include "base/status.h"
+#include "base/text.h"
+#include <stdbool.h>
+#include <stddef.h>
+
+/* A quantity as written: a bare number is dimensionless; "0.1 N/m" carries SI value and exponents. */
+typedef struct {
+  double value; /* SI when has_unit, as written otherwise */
+  bool has_unit;
+  signed char dim[4]; /* powers of mass, length, time, 0 */
+} Quantity;
+
+/* Where a value stands, for messages that come later (a law that is not found, a parameter out of range). */
+typedef struct {
+  const char *file; /* owned by the scene */
+  int line, column; /* 0: not from a file (a default) */
+} SourcePlace;
+
+typedef struct {
+  char *name;
+  Quantity value;
+  SourcePlace place;
+} SceneParameter;
+
+/* A law by name or path, with its parameters as written. */
+typedef struct {
+  char *law; /* NULL: none */
+  SourcePlace place;
+  SceneParameter *parameters;
+  size_t n_parameters;
+} SceneLaw;
+
+typedef enum { MASS_PCG, MASS_UMFPACK } MassSolver;
+typedef enum {
+  FLOW_SIMPLE_SHEAR,       /* v = z e_x */
+  FLOW_PLANAR_HYPERBOLIC,  /* v = x e_x - z e_z */
+  FLOW_UNIAXIAL_EXTENSION, /* v = x e_x - (y e_y + z e_z)/2 */
+  FLOW_LINEAR,             /* v = G x */
+  FLOW_INFLATION           /* imposed radius, no fluid */
+} FlowKind;
+typedef enum { INTEGRATOR_RK2, INTEGRATOR_RK4, INTEGRATOR_RKC2 } IntegratorKind;
+typedef enum { RUPTURE_STOP, RUPTURE_CONTINUE } RuptureAction;
+typedef enum { ACCURACY_DRAFT, ACCURACY_STANDARD, ACCURACY_FINE } Accuracy;
+typedef enum { SYMMETRY_AUTO, SYMMETRY_OFF } SymmetryChoice;
+typedef enum { FLUID_FAST, FLUID_DIRECT, FLUID_REFERENCE } FluidMethod;
+
+typedef struct {
+  char *file; /* as given on the command line, for messages */
+  char *name;
+
+  struct {
+    int subdivisions;
+    double rotation_axis[3]; /* mesh.rotation: {axis: [x, y, z], angle: radians} */
+    double rotation_angle;
+  } mesh;
+
+  struct {
+    SceneLaw elastic;
+    SceneLaw damage; /* damage.law == NULL: purely elastic */
+    double d_max;
+    MassSolver mass_solver;
+  } membrane;
+
+  struct {
+    FlowKind kind;
+    SourcePlace place;
+    double capillary_number; /* 0 until run/ derives it from `physical` */
+    double gradient[3][3];   /* FLOW_LINEAR: v_i = gradient[i][j] x_j; filled in for the other kinds too */
+    double (*path)[2];       /* FLOW_INFLATION: (t, alpha), t rising */
+    size_t n_path;
+    bool is_physical; /* flow.physical was given: */
+    Quantity radius, viscosity, shear_rate, shear_modulus;
+    bool remove_flux; /* subtract the mean normal flux (default true) */
+  } flow;
+
+  struct {
+    double end;
+    IntegratorKind integrator;
+    bool step_is_auto;
+    double step; /* fixed step when !step_is_auto */
+    double tolerance;
+    bool allow_unstable;
+  } time;
+
+  struct {
+    RuptureAction rupture;
+    double steady; /* 0: do not stop when steady */
+  } stop;
+
+  Accuracy accuracy;
+  SymmetryChoice symmetry;
+  FluidMethod fluid_method;
+
+  struct {
+    double history_every, snapshot_every; /* 0: only the last state */
+  } output;
+} Scene;
+
+/* Reads, checks and completes a scene.  `sets` are "key.path=value" strings that replace or add to what the
+ * file says, in order, as if written there.  Errors are STATUS_INPUT with "file:line:column: expected,
+ * found". */
+Status scene_read(Scene *scene, const char *path, const char *const *sets, size_t n_sets, Error *error);
+void scene_free(Scene *scene);
+
+/* The whole scene as YAML with every default: reads back to the same numbers.  `comments` (may be NULL) are
+ * lines put at the top, each with "# " in front. */
+Status scene_print(const Scene *scene, const char *comments, Text *yaml, Error *error);
+
+/* The configuration manual in Markdown, from the same table. */
+Status scene_print_manual(Text *markdown, Error *error);
+
+#endif

@@ -1,0 +1,72 @@
+/* A material: an energy law and, if any, a damage law, with parameter values and everything that the ABI
+ * leaves to the host: defaults, ranges, scales, irreversibility, capping, checks of what a law returns.
+ *
+ * All values are dimensionless: tensions and energies per area by G (a shear modulus), lengths by a, times by
+ * 1/rate. */
+#ifndef CAPSELLA_LAWS_MATERIAL_H
+#define CAPSELLA_LAWS_MATERIAL_H
+
+#include "base/log.h"
+#include "base/status.h"
+#include "config/scene.h"
+#include "laws/loader.h"
+#include <stdbool.h>
+
+/* What makes a dimensional parameter dimensionless; all 1 for a dimensionless scene. */
+typedef struct {
+  double mass, length, time; /* SI */
+} LawScales;
+
+typedef struct {
+  LoadedLaw elastic;
+  LoadedLaw damage;          /* damage.damage == NULL: none */
+  double *elastic_parameter; /* [n_params] dimensionless */
+  double *damage_parameter;
+  mlaw_field *elastic_field, *damage_field; /* views of the above with stride 0 */
+  double d_max;
+  double shear_modulus;      /* G_s = 2 phi_1 at rest */
+  double dilatation_modulus; /* K_s = 4 (phi_11 + 2 phi_12 + phi_22) - G_s at rest */
+} Material;
+
+/* Loads both laws of the scene, fills parameters (convert units -> hard range -> law's own check ->
+ * calibrated range, a warning in `log`), and measures the moduli at rest. */
+Status material_new(Material *material, const Scene *scene, const LawSearch *search, const LawScales *scales,
+                    Log *log, Error *error);
+void material_free(Material *material);
+
+/* A batch of points handed to the elastic law: I1, I2 [n] in; phi [n] and dphi [2][ld] out (dphi may be
+ * NULL). state0/state1 [n_vars][ld], NULL when the law has no variables.  STATUS_REJECT when the law refuses
+ * a point or returns a value that is not finite; STATUS_FAILED when it says stop.  `point` (may be NULL)
+ * receives the failing one. */
+typedef struct {
+  ptrdiff_t n, ld;
+  double t, dt;
+  const double *I1, *I2;
+  const double *state0;
+  double *state1;
+  double *phi, *dphi, *d2phi;
+} ElasticBatch;
+Status material_elastic(const Material *material, const ElasticBatch *batch, ptrdiff_t *point, Error *error);
+
+/* A batch handed to the damage law.  chan[MLAW_Y] (the energy release rate Y = phi of the undamaged membrane)
+ * is always needed; the other channels only when material_channels says so. Ymax1 = max(Ymax0, Y);  explicit
+ * kind: d1 = min(d_max, max(d0, <zeta(Ymax1)>)); general kind: d1 from update(), refused below d0, capped at
+ * d_max. Points whose Ymax did not grow keep d0 without a call where the kind allows. */
+typedef struct {
+  ptrdiff_t n, ld;
+  double t, dt;
+  const double *chan0[MLAW_N_CHANNELS]; /* at the accepted step; NULL where not asked for */
+  const double *chan[MLAW_N_CHANNELS];  /* now */
+  const double *Ymax0, *d0, *state0;    /* accepted */
+  double *Ymax1, *d1, *state1;          /* trial, written in full */
+} DamageBatch;
+Status material_damage(const Material *material, const DamageBatch *batch, ptrdiff_t *point, Error *error);
+
+/* Bit mask (1u << channel) of what the damage law reads; MLAW_Y is always set when there is a damage law. */
+unsigned material_channels(const Material *material);
+
+bool material_has_damage(const Material *material);
+int material_elastic_vars(const Material *material); /* history variables per point */
+int material_damage_vars(const Material *material);
+
+#endif

@@ -1,0 +1,26 @@
+/* Sparse matrix with sorted rows (CSR) and one value array; the pattern is made once, the values change. */
+#ifndef CAPSELLA_LINALG_SPARSE_H
+#define CAPSELLA_LINALG_SPARSE_H
+
+#include "base/status.h"
+
+typedef struct {
+  int n;
+  int *row_start; /* [n + 1] */
+  int *column;    /* [row_start[n]], rising within a row */
+  double *value;  /* [row_start[n]] */
+} SparseMatrix;
+
+/* Pattern of a finite-element matrix: rows i and j are joined when an element holds both.
+ * nodes [n_elements][nodes_per_element].  Values start at zero. */
+Status sparse_from_elements(SparseMatrix *matrix, int n, int n_elements, int nodes_per_element,
+                            const int *nodes, Error *error);
+void sparse_free(SparseMatrix *matrix);
+
+/* Index into `value` of entry (row, column), or -1 when it is not in the pattern. */
+int sparse_index(const SparseMatrix *matrix, int row, int column);
+
+/* y = A x for three right-hand sides at once: x, y [n][3]. */
+void sparse_multiply3(const SparseMatrix *matrix, const double *x, double *y);
+
+#endif

@@ -1,0 +1,79 @@
+/* The solid problem (paper sections 2.2, 2.3, 3.2): from positions to tensions, internal force R, load q and
+ * trial damage.
+ *
+ * Integration points: six per element, point (element e, rule point g) has index g * n_elements + e in every
+ * [n_points] array.  Trial and accepted damage are apart: membrane_evaluate writes the trial, membrane_commit
+ * accepts it. */
+#ifndef CAPSELLA_MEMBRANE_MEMBRANE_H
+#define CAPSELLA_MEMBRANE_MEMBRANE_H
+
+#include "base/status.h"
+#include "laws/material.h"
+#include "mesh/mesh.h"
+#include <stdbool.h>
+
+enum { POINTS_PER_ELEMENT = 6 };
+
+/* History of the material at the integration points; what a restart needs. */
+typedef struct {
+  double *Ymax, *d;                     /* [n_points]; NULL without a damage law */
+  double *elastic_state, *damage_state; /* [n_vars][n_points]; NULL when there are none */
+  double
+      *channel[MLAW_N_CHANNELS]; /* [n_points] values at the accepted step, only those the damage law reads */
+} MembraneHistory;
+
+typedef struct Membrane Membrane;
+
+/* Reference metric once, from mesh->X.  Mesh and material must outlive the membrane. */
+Status membrane_new(Membrane **membrane, const Mesh *mesh, const Material *material, MassSolver solver,
+                    Error *error);
+void membrane_free(Membrane *membrane);
+
+/* R [n_nodes][3] from positions x [n_nodes][3] at time t + dt, where t is the time of the accepted history
+ * (paper eq. 3.2), and the trial damage.  STATUS_REJECT: inverted element, law out of its domain, value not
+ * finite. */
+Status membrane_force(Membrane *membrane, const double *x, double t, double dt, double *R, Error *error);
+
+/* M q = R on the surface at the positions of the last membrane_force (paper eq. 3.4a).  q [n_nodes][3] holds
+ * the start of the iteration on entry. */
+Status membrane_load(Membrane *membrane, const double *R, double *q, Error *error);
+
+/* Accepts the trial history of the last membrane_force. */
+void membrane_commit(Membrane *membrane);
+
+int membrane_points(const Membrane *membrane);
+const MembraneHistory *membrane_accepted(const Membrane *membrane);
+MembraneHistory *membrane_restored(Membrane *membrane); /* to fill in from a snapshot */
+const MembraneHistory *membrane_trial(const Membrane *membrane);
+
+/* Values at the positions of the last membrane_force; pointers into the membrane, [n_points]. */
+typedef struct {
+  const double *phi; /* energy per reference area of the undamaged membrane = Y */
+  const double *J;   /* area ratio dS/dS0 */
+  const double *dS0; /* reference area weight: sum f dS0 integrates over the reference surface */
+  const double *d;   /* trial damage; NULL without a damage law */
+} MembranePoints;
+MembranePoints membrane_points_view(const Membrane *membrane);
+
+/* Principal tensions T1 >= T2 of the damaged membrane at the integration points, [n_points] each (any may be
+ * NULL). */
+void membrane_principal_tensions(const Membrane *membrane, double *T1, double *T2);
+
+/* A field known at the integration points, at the nodes: element-wise least-squares plane through the six
+ * values, averaged over the elements at a node with weights dS0, and clipped to the range of those values. */
+void membrane_nodal_field(const Membrane *membrane, const double *point_values, double *node_values);
+
+/* Elastic energy int (1 - d) phi dS0 of the last evaluation. */
+double membrane_energy(const Membrane *membrane);
+/* int Y dd dS0 between the accepted state and the trial one (trapezoid in Y; exact for d linear in Y). */
+double membrane_dissipation(const Membrane *membrane);
+
+/* Reference position and current position of integration point k. */
+void membrane_point_position(const Membrane *membrane, int k, const double *nodes, double position[3]);
+
+typedef struct {
+  long long evaluations, mass_iterations, law_points, damage_points;
+} MembraneCount;
+MembraneCount membrane_count(const Membrane *membrane);
+
+#endif

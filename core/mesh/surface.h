@@ -1,0 +1,19 @@
+/* Geometry of a closed P2 surface at given node positions. */
+#ifndef CAPSELLA_MESH_SURFACE_H
+#define CAPSELLA_MESH_SURFACE_H
+
+#include "mesh/mesh.h"
+
+/* Enclosed volume (exact: the integrand x . (a1 x a2) is a polynomial of degree 4) and area, x [n_nodes][3].
+ */
+double surface_volume(const Mesh *mesh, const double *x);
+double surface_area(const Mesh *mesh, const double *x);
+
+/* Area vectors A_p = int N_p n dS, [n_nodes][3]: the exact gradient of the volume, so that dV/dt = sum_p v_p
+ * . A_p. */
+void surface_area_vectors(const Mesh *mesh, const double *x, double *A);
+
+/* Outward unit normals at the nodes, averaged over the elements around each, [n_nodes][3]. */
+void surface_normals(const Mesh *mesh, const double *x, double *n);
+
+#endif
