@@ -1,0 +1,61 @@
+/* snapshot_NNNNNN.vtkhdf: the state of a run in one file, for ParaView and for a restart.
+ *
+ * The file is HDF5.  `/VTKHDF` is an UnstructuredGrid of quadratic triangles whose points are the current
+ * positions x; `/restart` holds named arrays that the run needs to go on, and the resolved scene.  The first
+ * 512 bytes (an HDF5 user block) hold the format version, the length and a checksum of all that follows, and
+ * are checked before HDF5 sees a byte: a cut-off or altered file is refused, never half read. */
+#ifndef CAPSELLA_OBSERVE_SNAPSHOT_H
+#define CAPSELLA_OBSERVE_SNAPSHOT_H
+
+#include "base/log.h"
+#include "base/status.h"
+#include "base/text.h"
+#include "mesh/mesh.h"
+#include <stddef.h>
+
+/* A field at the nodes, [n_nodes][components]; components 1 or 3. */
+typedef struct {
+  const char *name;
+  int components;
+  const double *values;
+} SnapshotField;
+
+/* One named array of the restart group: written from here, and read back into the same place, so that one
+ * list serves both ways.  Exactly one of the two pointers is set; a scalar has count 1. */
+typedef struct {
+  const char *name; /* unique in the list; no '/' */
+  size_t count;
+  double *doubles;
+  long long *integers;
+} RestartItem;
+
+typedef struct {
+  const Mesh *mesh;
+  double t;
+  const double *x; /* [n_nodes][3]; reference positions come from the mesh as the field X */
+  const SnapshotField *fields;
+  size_t n_fields;
+  const RestartItem *restart;
+  size_t n_restart;
+  const char *scene; /* the resolved scene as YAML */
+} Snapshot;
+
+/* "folder/snapshot_000042.vtkhdf" for number 42, appended to `path`. */
+Status snapshot_path(Text *path, const char *folder, int number, Error *error);
+
+/* Writes under a temporary name, syncs and renames: readers see the whole file or none. */
+Status snapshot_write(const char *path, const Snapshot *snapshot, Error *error);
+
+/* Fills the items from the file, all or (on failure) none.  STATUS_IO: missing, cut-off, altered, of another
+ * format version.  STATUS_INPUT: whole, but an item is missing, of another type or of another count, or the
+ * file holds one that is not in the list: it belongs to another scene. */
+Status snapshot_read_restart(const char *path, const RestartItem *items, size_t n_items, Error *error);
+
+/* The resolved scene (appended to `scene`) and the time; either may be NULL. */
+Status snapshot_read_scene(const char *path, Text *scene, double *t, Error *error);
+
+/* The newest whole snapshot of a folder: its path appended to `path` and its number; number is -1 when there
+ * is none.  A newer one that is damaged is skipped with a warning in the log (may be NULL). */
+Status snapshot_find_newest(const char *folder, Text *path, int *number, Log *log, Error *error);
+
+#endif

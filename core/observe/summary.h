@@ -1,0 +1,47 @@
+/* summary.json: how a run ended, in figures. */
+#ifndef CAPSELLA_OBSERVE_SUMMARY_H
+#define CAPSELLA_OBSERVE_SUMMARY_H
+
+#include "base/status.h"
+#include "base/text.h"
+#include <stdbool.h>
+#include <stddef.h>
+
+typedef enum { OUTCOME_STEADY, OUTCOME_END, OUTCOME_RUPTURED, OUTCOME_FAILED, OUTCOME_INTERRUPTED } Outcome;
+
+/* "steady", "end", "ruptured", "failed", "interrupted". */
+const char *outcome_name(Outcome outcome);
+
+/* Dimensionless.  A double that is NAN becomes null. */
+typedef struct {
+  Outcome status;
+  double t;
+  double D12, beta, L1, L2, L3; /* beta in radians */
+  double area_strain, volume_error, volume_error_max;
+  double d_max;
+  struct {
+    double X[3], x[3]; /* reference and current position of the point of largest damage */
+  } d_max_location;    /* written as null while d_max is 0 or NAN */
+  double Y_max;
+  double t_c, t_l; /* first time with d > 0, with d >= 1; NAN: not reached */
+  bool has_rupture;
+  struct {
+    double X[3], x[3];
+    double angle_to_vorticity_deg, angle_to_major_axis_deg;
+    double damaged_area_fraction; /* of the reference area with d > 0 */
+  } rupture;
+  double energy_error_max;
+  long long steps, rejected_steps, evaluations;
+  double wall_seconds;
+  int threads, elements, nodes;
+  const char *const *skipped; /* sentences: what was not set up, and why */
+  size_t n_skipped;
+} Summary;
+
+/* The keys of the interface, in its order. */
+Status summary_print(const Summary *summary, Text *json, Error *error);
+
+/* The same into a file, written whole or not at all. */
+Status summary_write(const Summary *summary, const char *path, Error *error);
+
+#endif
