@@ -13,6 +13,8 @@ typedef struct {
 } Text;
 
 Status text_append(Text *text, Error *error, const char *format, ...) PRINTF_LIKE(3, 4);
+/* Appends `length` bytes as they are, NUL included. */
+Status text_append_bytes(Text *text, Error *error, const char *bytes, size_t length);
 void text_free(Text *text);
 
 /* A copy of `string` made by array_allocate; NULL when out of memory. */
