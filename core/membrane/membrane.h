@@ -38,7 +38,7 @@ Status membrane_force(Membrane *membrane, const double *x, double t, double dt, 
  * the start of the iteration on entry. */
 Status membrane_load(Membrane *membrane, const double *R, double *q, Error *error);
 
-/* Accepts the trial history of the last membrane_force. */
+/* Accepts the trial history of the last membrane_force; the trial state stays readable. */
 void membrane_commit(Membrane *membrane);
 
 int membrane_points(const Membrane *membrane);

@@ -1,0 +1,14 @@
+#include "coupling/integrator.h"
+
+#include "coupling/rk2.h"
+#include "coupling/rkc2.h"
+
+const Integrator *integrator_get(IntegratorKind kind) {
+  return kind == INTEGRATOR_RKC2 ? &integrator_rkc2 : &integrator_rk2;
+}
+
+int integrator_stages(const Integrator *integrator, double h_rho) {
+  for (int stages = integrator->min_stages; stages <= integrator->max_stages; stages++)
+    if (integrator->reach(stages) >= h_rho) return stages;
+  return 0;
+}

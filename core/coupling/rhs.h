@@ -1,0 +1,15 @@
+/* The ordinary differential equation that the integrators see: dx/dt = f(t, x), x [n]. */
+#ifndef CAPSELLA_COUPLING_RHS_H
+#define CAPSELLA_COUPLING_RHS_H
+
+#include "base/status.h"
+
+/* f [n] at x [n] and time t + dt, where t is the time of the accepted state (a law with memory sees both).
+ * STATUS_REJECT when x is no admissible state: a smaller step may do. */
+typedef struct {
+  int n;
+  void *context;
+  Status (*evaluate)(void *context, const double *x, double t, double dt, double *f, Error *error);
+} Rhs;
+
+#endif

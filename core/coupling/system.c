@@ -1,0 +1,71 @@
+#include "coupling/system.h"
+
+#include "base/array.h"
+#include "mesh/surface.h"
+#include <math.h>
+
+Status system_new(CoupledSystem *system, const Mesh *mesh, Membrane *membrane, SingleLayer *layer,
+                  const Flow *flow, double mobility, bool remove_flux, Error *error) {
+  Status status = STATUS_OK;
+  const size_t n = 3 * (size_t)mesh->n_nodes;
+  *system = (CoupledSystem){.mesh = mesh,
+                            .membrane = membrane,
+                            .layer = layer,
+                            .flow = flow,
+                            .mobility = mobility,
+                            .remove_flux = remove_flux};
+  TRY(ARRAY_NEW(&system->R, n, error));
+  TRY(ARRAY_NEW(&system->q, n, error));
+  TRY(ARRAY_NEW(&system->u, n, error));
+  TRY(ARRAY_NEW(&system->normal, n, error));
+  TRY(ARRAY_NEW(&system->area_vector, n, error));
+cleanup:
+  if (status != STATUS_OK) system_free(system);
+  return status;
+}
+
+void system_free(CoupledSystem *system) {
+  array_free(system->R);
+  array_free(system->q);
+  array_free(system->u);
+  array_free(system->normal);
+  array_free(system->area_vector);
+  *system = (CoupledSystem){0};
+}
+
+/* v <- v - c n, with c such that dV/dt = sum_p v_p . A_p = 0. */
+static void remove_mean_flux(CoupledSystem *system, const double *x, double *v) {
+  const int n = 3 * system->mesh->n_nodes;
+  double flux = 0, area = 0;
+  surface_area_vectors(system->mesh, x, system->area_vector);
+  surface_normals(system->mesh, x, system->normal);
+  for (int i = 0; i < n; i++) flux += v[i] * system->area_vector[i];
+  for (int i = 0; i < n; i++) area += system->normal[i] * system->area_vector[i];
+  const double c = flux / area;
+  for (int i = 0; i < n; i++) v[i] -= c * system->normal[i];
+}
+
+Status system_velocity(CoupledSystem *system, const double *x, double t, double dt, double *v, Error *error) {
+  Status status = STATUS_OK;
+  const int n = 3 * system->mesh->n_nodes;
+  system->evaluations++;
+  TRY(membrane_force(system->membrane, x, t, dt, system->R, error));
+  TRY(membrane_load(system->membrane, system->R, system->q, error));
+  TRY(single_layer_evaluate(system->layer, x, system->q, system->u, error));
+  flow_velocity(system->flow, system->mesh->n_nodes, x, t + dt, v);
+  for (int i = 0; i < n; i++) v[i] -= system->mobility * system->u[i];
+  if (system->remove_flux) remove_mean_flux(system, x, v);
+  for (int i = 0; i < n; i++)
+    if (!isfinite(v[i]))
+      return error_set(error, STATUS_REJECT, "the velocity of node %d is not finite", i / 3);
+cleanup:
+  return status;
+}
+
+static Status evaluate(void *context, const double *x, double t, double dt, double *f, Error *error) {
+  return system_velocity(context, x, t, dt, f, error);
+}
+
+Rhs system_rhs(CoupledSystem *system) {
+  return (Rhs){.n = 3 * system->mesh->n_nodes, .context = system, .evaluate = evaluate};
+}

@@ -1,0 +1,41 @@
+/* The coupled problem at one instant: positions -> membrane -> load -> fluid -> velocity of the nodes.
+ *
+ *   M q = R(x, d),   v(x_p) = v_inf(x_p) - 1/(Ca G_s) 1/(8 pi) int_S J(x_p, y) q(y) dS_y     (paper
+ * eq. 2.2, 3.4)
+ *
+ * with tensions in the units of the law, whose shear modulus at rest is G_s. */
+#ifndef CAPSELLA_COUPLING_SYSTEM_H
+#define CAPSELLA_COUPLING_SYSTEM_H
+
+#include "base/status.h"
+#include "coupling/rhs.h"
+#include "fluid/flow.h"
+#include "fluid/single_layer.h"
+#include "membrane/membrane.h"
+#include "mesh/mesh.h"
+#include <stdbool.h>
+
+typedef struct {
+  const Mesh *mesh;
+  Membrane *membrane;
+  SingleLayer *layer;
+  const Flow *flow;
+  double mobility;  /* 1 / (Ca G_s) */
+  bool remove_flux; /* subtract c n with int v . n dS = 0, so that the enclosed volume stays */
+  double *R,
+      *q; /* [n_nodes][3] internal force and load of the last evaluation; q starts the next mass solve */
+  double *u, *normal, *area_vector; /* [n_nodes][3] scratch */
+  long long evaluations;
+} CoupledSystem;
+
+/* Allocates the arrays; the parts must outlive the system. */
+Status system_new(CoupledSystem *system, const Mesh *mesh, Membrane *membrane, SingleLayer *layer,
+                  const Flow *flow, double mobility, bool remove_flux, Error *error);
+void system_free(CoupledSystem *system);
+
+/* v [n_nodes][3] at positions x and time t + dt; the membrane holds the trial history that belongs to it. */
+Status system_velocity(CoupledSystem *system, const double *x, double t, double dt, double *v, Error *error);
+
+Rhs system_rhs(CoupledSystem *system);
+
+#endif

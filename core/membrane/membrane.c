@@ -1,0 +1,324 @@
+#include "membrane/membrane.h"
+
+#include "base/array.h"
+#include "membrane/membrane_private.h"
+#include "mesh/p2.h"
+#include "mesh/quadrature.h"
+#include <math.h>
+#include <string.h>
+
+/* An element squeezed below this share of its reference area counts as inverted. */
+static const double SMALLEST_AREA_RATIO = 1e-6;
+
+/* ---- set-up ---- */
+
+static void fill_basis(Membrane *m) {
+  const TriangleRule *rule = triangle_rule(RULE_POINTS);
+  for (int g = 0; g < RULE_POINTS; g++) {
+    p2_values(rule->point[g][0], rule->point[g][1], m->basis.N[g]);
+    p2_gradients(rule->point[g][0], rule->point[g][1], m->basis.dN[g]);
+    m->rule_weight[g] = rule->weight[g];
+    for (int p = 0; p < 6; p++)
+      for (int q = p; q < 6; q++) m->basis.NN[mass_pair(p, q)][g] = m->basis.N[g][p] * m->basis.N[g][q];
+  }
+}
+
+static Status fill_reference(Membrane *m, Error *error) {
+  const Mesh *mesh = m->mesh;
+  for (int e = 0; e < mesh->n_elements; e++)
+    for (int g = 0; g < RULE_POINTS; g++) {
+      double A[2][3] = {{0}};
+      for (int p = 0; p < 6; p++)
+        for (int c = 0; c < 3; c++)
+          for (int alpha = 0; alpha < 2; alpha++)
+            A[alpha][c] += m->basis.dN[g][p][alpha] * mesh->X[3 * mesh->element[e][p] + c];
+      double metric[2][2] = {{0}};
+      for (int c = 0; c < 3; c++)
+        for (int i = 0; i < 2; i++)
+          for (int j = 0; j < 2; j++) metric[i][j] += A[i][c] * A[j][c];
+      const double det = metric[0][0] * metric[1][1] - metric[0][1] * metric[1][0];
+      if (!(det > 0) || !isfinite(det))
+        return error_set(error, STATUS_INPUT, "the reference mesh is degenerate in element %d", e);
+      const int k = g * mesh->n_elements + e;
+      m->A11[k] = metric[1][1] / det;
+      m->A12[k] = -metric[0][1] / det;
+      m->A22[k] = metric[0][0] / det;
+      m->inverse_det[k] = 1 / det;
+      m->dS0[k] = m->rule_weight[g] * sqrt(det);
+    }
+  return STATUS_OK;
+}
+
+static Status history_new(MembraneHistory *history, const Membrane *m, Error *error) {
+  Status status = STATUS_OK;
+  const size_t n = (size_t)m->n_points;
+  const int elastic_vars = material_elastic_vars(m->material),
+            damage_vars = material_damage_vars(m->material);
+  if (elastic_vars > 0) TRY(ARRAY_NEW(&history->elastic_state, n * (size_t)elastic_vars, error));
+  if (m->has_damage) {
+    TRY(ARRAY_NEW(&history->Ymax, n, error));
+    TRY(ARRAY_NEW(&history->d, n, error));
+    if (damage_vars > 0) TRY(ARRAY_NEW(&history->damage_state, n * (size_t)damage_vars, error));
+  }
+  if (m->channel_history)
+    for (int c = 0; c < MLAW_N_CHANNELS; c++)
+      if (m->channels & (1u << c)) TRY(ARRAY_NEW(&history->channel[c], n, error));
+cleanup:
+  return status;
+}
+
+static void history_free(MembraneHistory *history) {
+  array_free(history->Ymax);
+  array_free(history->d);
+  array_free(history->elastic_state);
+  array_free(history->damage_state);
+  for (int c = 0; c < MLAW_N_CHANNELS; c++) array_free(history->channel[c]);
+}
+
+/* History variables start at the values that their law declares, channels at those of the undeformed
+ * membrane. */
+static void history_start(MembraneHistory *history, const Membrane *m) {
+  const size_t n = (size_t)m->n_points;
+  for (int v = 0; v < material_elastic_vars(m->material); v++)
+    for (size_t k = 0; k < n; k++)
+      history->elastic_state[(size_t)v * n + k] = material_elastic_initial(m->material, v);
+  for (int v = 0; v < material_damage_vars(m->material); v++)
+    for (size_t k = 0; k < n; k++)
+      history->damage_state[(size_t)v * n + k] = material_damage_initial(m->material, v);
+  for (int c = MLAW_L1; c <= MLAW_L2; c++)
+    if (history->channel[c])
+      for (size_t k = 0; k < n; k++) history->channel[c][k] = 1;
+}
+
+static Status channels_new(Membrane *m, Error *error) {
+  Status status = STATUS_OK;
+  m->channel[MLAW_Y] = m->phi;
+  m->channel[MLAW_I1] = m->I1;
+  m->channel[MLAW_I2] = m->I2;
+  for (int c = MLAW_L1; c <= MLAW_T2; c++)
+    if (m->channels & (1u << c)) TRY(ARRAY_NEW(&m->channel[c], m->n_points, error));
+cleanup:
+  return status;
+}
+
+Status membrane_new(Membrane **membrane, const Mesh *mesh, const Material *material, MassSolver solver,
+                    Error *error) {
+  Status status = STATUS_OK;
+  Membrane *m = NULL;
+  *membrane = NULL;
+  TRY(ARRAY_NEW(&m, 1, error));
+  m->mesh = mesh;
+  m->material = material;
+  m->n_points = RULE_POINTS * mesh->n_elements;
+  m->has_damage = material_has_damage(material);
+  m->channels = material_channels(material);
+  m->channel_history = m->has_damage && material->damage.damage->update;
+  fill_basis(m);
+  double **const arrays[] = {&m->A11, &m->A12, &m->A22, &m->inverse_det, &m->dS0,
+                             &m->I1,  &m->I2,  &m->J,   &m->phi};
+  for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) TRY(ARRAY_NEW(arrays[i], m->n_points, error));
+  TRY(ARRAY_NEW(&m->dphi, 2 * (size_t)m->n_points, error));
+  TRY(ARRAY_NEW(&m->element_force, 18 * (size_t)mesh->n_elements, error));
+  TRY(ARRAY_NEW(&m->element_mass, MASS_PAIRS * (size_t)mesh->n_elements, error));
+  TRY(fill_reference(m, error));
+  TRY(channels_new(m, error));
+  TRY(history_new(&m->accepted, m, error));
+  TRY(history_new(&m->trial, m, error));
+  history_start(&m->accepted, m);
+  TRY(mass_new(&m->mass, mesh, solver, error));
+  *membrane = m;
+cleanup:
+  if (status != STATUS_OK) membrane_free(m);
+  return status;
+}
+
+void membrane_free(Membrane *m) {
+  if (!m) return;
+  double *const arrays[] = {m->A11, m->A12, m->A22, m->inverse_det, m->dS0,           m->I1,
+                            m->I2,  m->J,   m->phi, m->dphi,        m->element_force, m->element_mass};
+  for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) array_free(arrays[i]);
+  for (int c = MLAW_L1; c <= MLAW_T2; c++) array_free(m->channel[c]);
+  history_free(&m->accepted);
+  history_free(&m->trial);
+  mass_free(&m->mass);
+  array_free(m);
+}
+
+/* ---- one evaluation ---- */
+
+/* One block of elements: first .. first + n - 1. */
+typedef struct {
+  int first, n;
+  double t, dt;
+} BlockTask;
+
+static void gather_nodes(const Membrane *m, BlockTask task, const double *x, ElementBlock *block) {
+  for (int lane = 0; lane < task.n; lane++) {
+    const int *nodes = m->mesh->element[task.first + lane];
+    for (int p = 0; p < 6; p++)
+      for (int c = 0; c < 3; c++) block->node[p][c][lane] = x[3 * nodes[p] + c];
+  }
+}
+
+static Status check_elements(const Membrane *m, BlockTask task, const ElementBlock *block, Error *error) {
+  for (int g = 0; g < RULE_POINTS; g++)
+    for (int lane = 0; lane < task.n; lane++) {
+      const int e = task.first + lane;
+      const double J = m->J[g * m->mesh->n_elements + e];
+      if (!(J > SMALLEST_AREA_RATIO) || !isfinite(J))
+        return error_set(
+            error, STATUS_REJECT,
+            "element %d has collapsed: area ratio %g at integration point %d (at least %g expected)", e, J, g,
+            SMALLEST_AREA_RATIO);
+      if (!(block->facing[g][lane] > 0))
+        return error_set(error, STATUS_REJECT,
+                         "element %d is inverted: its normal turns over at integration point %d", e, g);
+    }
+  return STATUS_OK;
+}
+
+/* Laws are called for one rule point of the block at a time: a range of consecutive points in every array. */
+static Status call_elastic_law(const Membrane *m, BlockTask task, int g, Error *error) {
+  const ptrdiff_t k = g * m->mesh->n_elements + task.first;
+  ptrdiff_t failing = -1;
+  const MembraneHistory *old = &m->accepted, *new = &m->trial;
+  const ElasticBatch batch = {
+      .n = task.n,
+      .ld = m->n_points,
+      .t = task.t,
+      .dt = task.dt,
+      .I1 = m->I1 + k,
+      .I2 = m->I2 + k,
+      .state0 = old->elastic_state ? old->elastic_state + k : NULL,
+      .state1 = new->elastic_state ? new->elastic_state + k : NULL,
+      .phi = m->phi + k,
+      .dphi = m->dphi + k,
+  };
+  const Status status = material_elastic(m->material, &batch, &failing, error);
+  if (status != STATUS_OK && failing >= 0)
+    error_prefix(error, "element %d, integration point %d: ", (int)(task.first + failing), g);
+  return status;
+}
+
+static Status call_damage_law(const Membrane *m, BlockTask task, int g, Error *error) {
+  const ptrdiff_t k = g * m->mesh->n_elements + task.first;
+  ptrdiff_t failing = -1;
+  const MembraneHistory *old = &m->accepted, *new = &m->trial;
+  DamageBatch batch = {
+      .n = task.n,
+      .ld = m->n_points,
+      .t = task.t,
+      .dt = task.dt,
+      .Ymax0 = old->Ymax + k,
+      .d0 = old->d + k,
+      .state0 = old->damage_state ? old->damage_state + k : NULL,
+      .Ymax1 = new->Ymax + k,
+      .d1 = new->d + k,
+      .state1 = new->damage_state ? new->damage_state + k : NULL,
+  };
+  if (m->channels >> MLAW_L1)
+    principal_values(task.n, m->I1 + k, m->I2 + k, m->dphi + k, m->dphi + m->n_points + k,
+                     m->channel[MLAW_L1] ? m->channel[MLAW_L1] + k : NULL,
+                     m->channel[MLAW_L2] ? m->channel[MLAW_L2] + k : NULL,
+                     m->channel[MLAW_T1] ? m->channel[MLAW_T1] + k : NULL,
+                     m->channel[MLAW_T2] ? m->channel[MLAW_T2] + k : NULL);
+  for (int c = 0; c < MLAW_N_CHANNELS; c++)
+    if (m->channels & (1u << c)) {
+      batch.chan[c] = m->channel[c] + k;
+      if (m->channel_history) {
+        batch.chan0[c] = old->channel[c] + k;
+        memcpy(new->channel[c] + k, m->channel[c] + k, (size_t)task.n * sizeof(double));
+      }
+    }
+  const Status status = material_damage(m->material, &batch, &failing, error);
+  if (status != STATUS_OK && failing >= 0)
+    error_prefix(error, "element %d, integration point %d: ", (int)(task.first + failing), g);
+  return status;
+}
+
+static Status evaluate_block(Membrane *m, BlockTask task, const double *x, Error *error) {
+  Status status = STATUS_OK;
+  const int first = task.first;
+  ElementBlock block;
+  const ReferenceMetric metric = {
+      .A11 = m->A11 + first,
+      .A12 = m->A12 + first,
+      .A22 = m->A22 + first,
+      .inverse_det = m->inverse_det + first,
+      .dS0 = m->dS0 + first,
+      .ld = m->mesh->n_elements,
+  };
+  gather_nodes(m, task, x, &block);
+  element_kinematics(&m->basis, metric, task.n, &block, m->I1 + first, m->I2 + first, m->J + first);
+  TRY(check_elements(m, task, &block, error));
+  for (int g = 0; g < RULE_POINTS; g++) {
+    TRY(call_elastic_law(m, task, g, error));
+    if (m->has_damage) TRY(call_damage_law(m, task, g, error));
+  }
+  element_force(&m->basis, metric, task.n, &block, m->dphi + first, m->dphi + m->n_points + first,
+                m->has_damage ? m->trial.d + first : NULL, m->element_force + first, m->mesh->n_elements);
+  element_mass(&m->basis, metric, task.n, m->J + first, m->element_mass + first, m->mesh->n_elements);
+cleanup:
+  return status;
+}
+
+/* Sums element forces at each node in the order of the node table, so that the sum does not depend on
+ * threads. */
+static void gather_force(const Membrane *m, double *R) {
+  const Mesh *mesh = m->mesh;
+#pragma omp parallel for schedule(static)
+  for (int p = 0; p < mesh->n_nodes; p++) {
+    double sum[3] = {0, 0, 0};
+    for (int k = mesh->node_start[p]; k < mesh->node_start[p + 1]; k++) {
+      const double *f =
+          m->element_force + 3 * (ptrdiff_t)mesh->node_local[k] * mesh->n_elements + mesh->node_element[k];
+      for (int c = 0; c < 3; c++) sum[c] += f[(ptrdiff_t)c * mesh->n_elements];
+    }
+    for (int c = 0; c < 3; c++) R[3 * p + c] = sum[c];
+  }
+}
+
+Status membrane_force(Membrane *m, const double *x, double t, double dt, double *R, Error *error) {
+  const int n_elements = m->mesh->n_elements, n_blocks = (n_elements + LANES - 1) / LANES;
+  Status status = STATUS_OK;
+  int failed_block = n_blocks; /* the first failing block speaks, whatever the order of the threads */
+#pragma omp parallel for schedule(static)
+  for (int b = 0; b < n_blocks; b++) {
+    const int first = b * LANES, left = n_elements - first;
+    const BlockTask task = {.first = first, .n = left < LANES ? left : LANES, .t = t, .dt = dt};
+    Error block_error;
+    const Status block_status = evaluate_block(m, task, x, &block_error);
+    if (block_status != STATUS_OK) {
+#pragma omp critical(membrane_force_error)
+      if (b < failed_block) {
+        failed_block = b;
+        status = block_status;
+        *error = block_error;
+      }
+    }
+  }
+  m->count.evaluations++;
+  m->count.law_points += m->n_points;
+  if (status == STATUS_OK) gather_force(m, R);
+  return status;
+}
+
+Status membrane_load(Membrane *m, const double *R, double *q, Error *error) {
+  mass_assemble(&m->mass, m->element_mass);
+  return mass_solve(&m->mass, R, q, error);
+}
+
+void membrane_commit(Membrane *m) {
+  const size_t bytes = (size_t)m->n_points * sizeof(double);
+  const MembraneHistory *from = &m->trial, *to = &m->accepted;
+  if (m->has_damage) {
+    memcpy(to->Ymax, from->Ymax, bytes);
+    memcpy(to->d, from->d, bytes);
+  }
+  if (to->elastic_state)
+    memcpy(to->elastic_state, from->elastic_state, (size_t)material_elastic_vars(m->material) * bytes);
+  if (to->damage_state)
+    memcpy(to->damage_state, from->damage_state, (size_t)material_damage_vars(m->material) * bytes);
+  for (int c = 0; c < MLAW_N_CHANNELS; c++)
+    if (to->channel[c]) memcpy(to->channel[c], from->channel[c], bytes);
+}

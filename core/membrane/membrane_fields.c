@@ -1,0 +1,108 @@
+/* What outputs read from the membrane; nothing here is needed to advance it. */
+#include "base/array.h"
+#include "membrane/membrane_private.h"
+#include "mesh/p2.h"
+#include "mesh/quadrature.h"
+#include <math.h>
+
+int membrane_points(const Membrane *m) {
+  return m->n_points;
+}
+const MembraneHistory *membrane_accepted(const Membrane *m) {
+  return &m->accepted;
+}
+MembraneHistory *membrane_restored(Membrane *m) {
+  return &m->accepted;
+}
+const MembraneHistory *membrane_trial(const Membrane *m) {
+  return &m->trial;
+}
+
+MembranePoints membrane_points_view(const Membrane *m) {
+  return (MembranePoints){.phi = m->phi, .J = m->J, .dS0 = m->dS0, .d = m->has_damage ? m->trial.d : NULL};
+}
+
+MembraneCount membrane_count(const Membrane *m) {
+  MembraneCount count = m->count;
+  count.mass_iterations = m->mass.iterations;
+  return count;
+}
+
+void membrane_principal_tensions(const Membrane *m, double *T1, double *T2) {
+  principal_values(m->n_points, m->I1, m->I2, m->dphi, m->dphi + m->n_points, NULL, NULL, T1, T2);
+  if (!m->has_damage) return;
+  for (int k = 0; k < m->n_points; k++) {
+    if (T1) T1[k] *= 1 - m->trial.d[k];
+    if (T2) T2[k] *= 1 - m->trial.d[k];
+  }
+}
+
+double membrane_energy(const Membrane *m) {
+  double sum = 0;
+  for (int k = 0; k < m->n_points; k++)
+    sum += (m->has_damage ? 1 - m->trial.d[k] : 1.0) * m->phi[k] * m->dS0[k];
+  return sum;
+}
+
+double membrane_dissipation(const Membrane *m) {
+  if (!m->has_damage) return 0;
+  const double *Y0 = m->channel_history ? m->accepted.channel[MLAW_Y] : m->accepted.Ymax;
+  const double *Y1 = m->channel_history ? m->trial.channel[MLAW_Y] : m->trial.Ymax;
+  double sum = 0;
+  for (int k = 0; k < m->n_points; k++)
+    sum += 0.5 * (Y0[k] + Y1[k]) * (m->trial.d[k] - m->accepted.d[k]) * m->dS0[k];
+  return sum;
+}
+
+void membrane_point_position(const Membrane *m, int k, const double *nodes, double position[3]) {
+  const int e = k % m->mesh->n_elements, g = k / m->mesh->n_elements;
+  for (int c = 0; c < 3; c++) {
+    position[c] = 0;
+    for (int p = 0; p < 6; p++) position[c] += m->basis.N[g][p] * nodes[3 * m->mesh->element[e][p] + c];
+  }
+}
+
+/* Least-squares plane c0 + c1 xi + c2 eta through the six values of an element, as a matrix from values to
+ * nodes. */
+static void plane_fit(double fit[6][RULE_POINTS]) {
+  const TriangleRule *rule = triangle_rule(RULE_POINTS);
+  /* The points are symmetric about the centre of the triangle, in barycentric coordinates b_i: the moments of
+   * (b_i - 1/3)(b_j - 1/3) are a (delta_ij - 1/3), so that the slope in direction b_i is the moment of the
+   * value / a. */
+  double a = 0;
+  for (int g = 0; g < RULE_POINTS; g++) {
+    const double b = rule->point[g][0] - 1.0 / 3;
+    a += 1.5 * b * b;
+  }
+  for (int p = 0; p < 6; p++) {
+    const double node[3] = {1 - p2_node[p][0] - p2_node[p][1], p2_node[p][0], p2_node[p][1]};
+    for (int g = 0; g < RULE_POINTS; g++) {
+      const double point[3] = {1 - rule->point[g][0] - rule->point[g][1], rule->point[g][0],
+                               rule->point[g][1]};
+      fit[p][g] = 1.0 / RULE_POINTS;
+      for (int i = 0; i < 3; i++) fit[p][g] += (node[i] - 1.0 / 3) * (point[i] - 1.0 / 3) / a;
+    }
+  }
+}
+
+void membrane_nodal_field(const Membrane *m, const double *point_values, double *node_values) {
+  const Mesh *mesh = m->mesh;
+  double fit[6][RULE_POINTS];
+  plane_fit(fit);
+  for (int p = 0; p < mesh->n_nodes; p++) {
+    double sum = 0, weight = 0, lowest = INFINITY, highest = -INFINITY;
+    for (int k = mesh->node_start[p]; k < mesh->node_start[p + 1]; k++) {
+      double value = 0, area = 0;
+      for (int g = 0; g < RULE_POINTS; g++) {
+        const int point = g * mesh->n_elements + mesh->node_element[k];
+        value += fit[mesh->node_local[k]][g] * point_values[point];
+        area += m->dS0[point];
+        lowest = fmin(lowest, point_values[point]);
+        highest = fmax(highest, point_values[point]);
+      }
+      sum += area * value;
+      weight += area;
+    }
+    node_values[p] = fmin(fmax(sum / weight, lowest), highest);
+  }
+}

@@ -1,0 +1,33 @@
+/* What membrane.c and membrane_fields.c share. */
+#ifndef CAPSELLA_MEMBRANE_MEMBRANE_PRIVATE_H
+#define CAPSELLA_MEMBRANE_MEMBRANE_PRIVATE_H
+
+#include "membrane/element_kernel.h"
+#include "membrane/mass.h"
+#include "membrane/membrane.h"
+
+struct Membrane {
+  const Mesh *mesh;
+  const Material *material;
+  int n_points;
+  bool has_damage;
+  unsigned channels;    /* what the damage law reads, bit mask */
+  bool channel_history; /* a damage law of the general kind also reads the accepted values */
+  ElementBasis basis;
+  double rule_weight[RULE_POINTS];
+
+  /* Reference configuration, [n_points]. */
+  double *A11, *A12, *A22, *inverse_det, *dS0;
+
+  /* Last evaluation, [n_points]; dphi [2][n_points]. */
+  double *I1, *I2, *J, *phi, *dphi;
+  double *channel[MLAW_N_CHANNELS]; /* owned, but for MLAW_Y, I1, I2, which are views of the above */
+  double *element_force;            /* [18][n_elements] */
+  double *element_mass;             /* [21][n_elements] */
+
+  MembraneHistory accepted, trial;
+  MassSystem mass;
+  MembraneCount count;
+};
+
+#endif

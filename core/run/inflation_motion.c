@@ -1,0 +1,126 @@
+/* The motion of a capsule whose radius is imposed (paper section 4). */
+#include "base/array.h"
+#include "run/motion.h"
+#include <math.h>
+#include <string.h>
+
+static InflationMotion *self(Motion *motion) {
+  return (InflationMotion *)motion;
+}
+
+/* Index of the piece of the path that holds t. */
+static size_t piece(const InflationMotion *motion, double t) {
+  size_t k = 0;
+  while (k + 2 < motion->n_path && motion->path[k + 1][0] <= t) k++;
+  return k;
+}
+
+double inflation_alpha(const InflationMotion *motion, double t) {
+  const double(*p)[2] = motion->path + piece(motion, t);
+  const double u = (t - p[0][0]) / (p[1][0] - p[0][0]);
+  return p[0][1] + fmin(fmax(u, 0), 1) * (p[1][1] - p[0][1]);
+}
+
+static void at(const Motion *motion, double t, double *x, double *v) {
+  const InflationMotion *m = (const InflationMotion *)motion;
+  const double(*p)[2] = m->path + piece(m, motion->t); /* of the step: a corner belongs to both its sides */
+  const double scale = 1 + inflation_alpha(m, t), rate = (p[1][1] - p[0][1]) / (p[1][0] - p[0][0]);
+  for (int i = 0; i < 3 * m->mesh->n_nodes; i++) {
+    x[i] = scale * m->mesh->X[i];
+    if (v) v[i] = rate * m->mesh->X[i];
+  }
+}
+
+/* The next time at which a step ends: a corner of the path, or `longest` further on. */
+static double next_time(const InflationMotion *m, double t_limit) {
+  double t1 = fmin(t_limit, m->base.t + m->longest);
+  for (size_t k = 0; k < m->n_path; k++)
+    if (m->path[k][0] > m->base.t && m->path[k][0] < t1) t1 = m->path[k][0];
+  return t1;
+}
+
+static Status propose(Motion *motion, double t_limit, double *t1, Log *log, Error *error) {
+  (void)log;
+  InflationMotion *m = self(motion);
+  Status status = STATUS_OK;
+  m->t1 = next_time(m, t_limit);
+  motion->is_smooth = motion->t != m->path[piece(m, motion->t)][0];
+  *t1 = m->t1;
+  at(motion, m->t1, m->x, NULL);
+  TRY(membrane_force(m->membrane, m->x, motion->t, m->t1 - motion->t, m->force, error));
+  TRY(membrane_load(m->membrane, m->force, m->load, error));
+cleanup:
+  if (status == STATUS_REJECT) status = error->code = STATUS_FAILED; /* a prescribed step cannot be cut */
+  return status;
+}
+
+static void shorten(Motion *motion, double t) {
+  self(motion)->t1 = t;
+}
+
+static void accept(Motion *motion) {
+  InflationMotion *m = self(motion);
+  motion->last_step = m->t1 - motion->t;
+  motion->t = m->t1;
+  m->steps++;
+}
+
+static size_t restart_items(Motion *motion, RestartItem *items) {
+  InflationMotion *m = self(motion);
+  const size_t n = 3 * (size_t)m->mesh->n_nodes;
+  const RestartItem list[] = {
+      {.name = "t", .count = 1, .doubles = &motion->t},
+      {.name = "last_step", .count = 1, .doubles = &motion->last_step},
+      {.name = "steps", .count = 1, .doubles = &m->steps},
+      {.name = "q", .count = n, .doubles = m->load},
+  };
+  memcpy(items, list, sizeof list);
+  return sizeof list / sizeof *list;
+}
+
+static long long none(const Motion *motion) {
+  (void)motion;
+  return 0;
+}
+static long long steps(const Motion *motion) {
+  return (long long)((const InflationMotion *)motion)->steps;
+}
+
+Status inflation_start(InflationMotion *m, Error *error) {
+  double t1;
+  const Status status = propose(&m->base, m->base.t, &t1, NULL, error);
+  if (status == STATUS_OK) membrane_commit(m->membrane);
+  return status;
+}
+
+Status inflation_motion(InflationMotion *motion, const Mesh *mesh, Membrane *membrane,
+                        const double (*path)[2], size_t n_path, double longest, Error *error) {
+  Status status = STATUS_OK;
+  const size_t n = 3 * (size_t)mesh->n_nodes;
+  *motion = (InflationMotion){
+      .mesh = mesh, .membrane = membrane, .path = path, .n_path = n_path, .longest = longest};
+  TRY(ARRAY_NEW(&motion->x, n, error));
+  TRY(ARRAY_NEW(&motion->force, n, error));
+  TRY(ARRAY_NEW(&motion->load, n, error));
+  motion->base = (Motion){.propose = propose,
+                          .at = at,
+                          .shorten = shorten,
+                          .accept = accept,
+                          .restart_items = restart_items,
+                          .evaluations = none,
+                          .rejected = none,
+                          .steps = steps,
+                          .t = path[0][0],
+                          .R = motion->force,
+                          .q = motion->load};
+cleanup:
+  if (status != STATUS_OK) inflation_motion_free(motion);
+  return status;
+}
+
+void inflation_motion_free(InflationMotion *motion) {
+  array_free(motion->x);
+  array_free(motion->force);
+  array_free(motion->load);
+  *motion = (InflationMotion){0};
+}

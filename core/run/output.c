@@ -1,0 +1,231 @@
+#include "run/output.h"
+
+#include "base/array.h"
+#include "base/file.h"
+#include <inttypes.h>
+#include <math.h>
+#include <string.h>
+
+/* ---- resolved.yaml ---- */
+
+static Status describe_law(Text *text, const char *role, const LoadedLaw *law, Error *error) {
+  const char *id = law->energy ? law->energy->id : law->damage->id;
+  return text_append(text, error, "%s law: %s, plugin %s %s, file %s, fnv1a64 %016" PRIx64 "\n", role, id,
+                     law->plugin->id, law->plugin->version, law->file, law->hash);
+}
+
+static Status print_resolved(Output *output, const Simulation *s, Error *error) {
+  Status status = STATUS_OK;
+  Text comments = {0};
+  TRY(text_append(&comments, error,
+                  "Written by capsella " CAPSELLA_VERSION ": the scene with every default.\n"));
+  TRY(describe_law(&comments, "elastic", &s->material.elastic, error));
+  if (material_has_damage(&s->material)) TRY(describe_law(&comments, "damage", &s->material.damage, error));
+  TRY(scene_print(s->scene, comments.data, &output->resolved, error));
+cleanup:
+  text_free(&comments);
+  return status;
+}
+
+static Status join(Text *path, const Output *output, const char *name, Error *error) {
+  return file_join(path, output->folder, name, error);
+}
+
+static Status write_resolved(const Output *output, Error *error) {
+  Text path = {0};
+  Status status = STATUS_OK;
+  TRY(join(&path, output, "resolved.yaml", error));
+  TRY(file_write(path.data, output->resolved.data, output->resolved.length, error));
+cleanup:
+  text_free(&path);
+  return status;
+}
+
+/* ---- opening ---- */
+
+static HistoryKind history_kind(const Simulation *s) {
+  return simulation_is_inflation(s) ? HISTORY_INFLATION : HISTORY_FLOW;
+}
+
+Status output_open(Output *output, const char *folder, const Simulation *s, Error *error) {
+  Status status = STATUS_OK;
+  const size_t nodes = (size_t)s->mesh.n_nodes, points = (size_t)membrane_points(s->membrane);
+  *output = (Output){.folder = folder, .last_row_t = NAN};
+  TRY(print_resolved(output, s, error));
+  TRY(write_resolved(output, error));
+  TRY(ARRAY_NEW(&output->d, nodes, error));
+  TRY(ARRAY_NEW(&output->Y, nodes, error));
+  TRY(ARRAY_NEW(&output->T1, nodes, error));
+  TRY(ARRAY_NEW(&output->T2, nodes, error));
+  TRY(ARRAY_NEW(&output->points, 2 * points, error));
+cleanup:
+  if (status != STATUS_OK) output_close(output);
+  return status;
+}
+
+void output_close(Output *output) {
+  Error ignored;
+  history_close(&output->history, &ignored);
+  series_free(&output->series);
+  text_free(&output->resolved);
+  array_free(output->d);
+  array_free(output->Y);
+  array_free(output->T1);
+  array_free(output->T2);
+  array_free(output->points);
+  *output = (Output){0};
+}
+
+Status output_start(Output *output, const Simulation *s, Error *error) {
+  Text path = {0};
+  Status status = STATUS_OK;
+  TRY(join(&path, output, "history.csv", error));
+  TRY(history_open(&output->history, path.data, history_kind(s), error));
+cleanup:
+  text_free(&path);
+  return status;
+}
+
+static double start_time(const Simulation *s) {
+  return simulation_is_inflation(s) ? s->scene->flow.path[0][0] : 0;
+}
+
+static double due(const Simulation *s, long long next, double every) {
+  return every > 0 ? start_time(s) + (double)next * every : INFINITY;
+}
+
+double output_next_sample(const Output *output, const Simulation *s) {
+  return due(s, output->next_sample, s->scene->output.history_every);
+}
+
+double output_next_snapshot(const Output *output, const Simulation *s) {
+  return due(s, output->next_snapshot, s->scene->output.snapshot_every);
+}
+
+Status output_row(Output *output, const HistoryRow *row, Error *error) {
+  output->last_row_t = row->t;
+  return history_append(&output->history, row, error);
+}
+
+/* ---- snapshots ---- */
+
+enum { MAX_RESTART_ITEMS = MOTION_RESTART_ITEMS + MLAW_N_CHANNELS + 12 };
+
+/* One list serves writing and reading. */
+static size_t restart_items(Output *output, Simulation *s, Record *record, RestartItem *items) {
+  static const char *const channel_names[MLAW_N_CHANNELS] = {
+      "channel_Y", "channel_I1", "channel_I2", "channel_l1", "channel_l2", "channel_T1", "channel_T2"};
+  size_t n = s->motion->restart_items(s->motion, items);
+  const size_t points = (size_t)membrane_points(s->membrane);
+  const MembraneHistory *history = membrane_restored(s->membrane);
+  if (history->d) {
+    items[n++] = (RestartItem){.name = "Ymax", .count = points, .doubles = history->Ymax};
+    items[n++] = (RestartItem){.name = "d", .count = points, .doubles = history->d};
+  }
+  if (history->elastic_state)
+    items[n++] = (RestartItem){.name = "elastic_state",
+                               .count = points * (size_t)material_elastic_vars(&s->material),
+                               .doubles = history->elastic_state};
+  if (history->damage_state)
+    items[n++] = (RestartItem){.name = "damage_state",
+                               .count = points * (size_t)material_damage_vars(&s->material),
+                               .doubles = history->damage_state};
+  for (int c = 0; c < MLAW_N_CHANNELS; c++)
+    if (history->channel[c])
+      items[n++] = (RestartItem){.name = channel_names[c], .count = points, .doubles = history->channel[c]};
+  items[n++] = (RestartItem){
+      .name = "record", .count = sizeof record->data / sizeof(double), .doubles = &record->data.t_c};
+  items[n++] = (RestartItem){.name = "history_bytes", .count = 1, .integers = &output->history.bytes};
+  items[n++] = (RestartItem){.name = "last_row_t", .count = 1, .doubles = &output->last_row_t};
+  items[n++] = (RestartItem){.name = "next_sample", .count = 1, .integers = &output->next_sample};
+  items[n++] = (RestartItem){.name = "next_snapshot", .count = 1, .integers = &output->next_snapshot};
+  items[n++] = (RestartItem){.name = "snapshot_number", .count = 1, .integers = &output->snapshot_number};
+  return n;
+}
+
+static void nodal_fields(Output *output, const Simulation *s) {
+  const double G = s->material.shear_modulus;
+  const int points = membrane_points(s->membrane), nodes = s->mesh.n_nodes;
+  const MembranePoints view = membrane_points_view(s->membrane);
+  double *T1 = output->points, *T2 = output->points + points;
+  membrane_principal_tensions(s->membrane, T1, T2);
+  membrane_nodal_field(s->membrane, T1, output->T1);
+  membrane_nodal_field(s->membrane, T2, output->T2);
+  membrane_nodal_field(s->membrane, view.phi, output->Y);
+  if (view.d) membrane_nodal_field(s->membrane, view.d, output->d);
+  for (int p = 0; p < nodes; p++) {
+    output->T1[p] /= G;
+    output->T2[p] /= G;
+    output->Y[p] /= G;
+  }
+}
+
+Status output_snapshot(Output *output, Simulation *s, Record *record, Error *error) {
+  Status status = STATUS_OK;
+  Text path = {0};
+  RestartItem items[MAX_RESTART_ITEMS];
+  const int number =
+      (int)output->snapshot_number++; /* counted first: the file names the one that comes next */
+  TRY(record_probe(record, s->motion->t, error));
+  nodal_fields(output, s);
+  TRY(history_sync(&output->history, error));
+  const SnapshotField fields[] = {
+      {.name = "q", .components = 3, .values = s->motion->q},
+      {.name = "v", .components = 3, .values = record->v},
+      {.name = "d", .components = 1, .values = output->d},
+      {.name = "Y", .components = 1, .values = output->Y},
+      {.name = "T1", .components = 1, .values = output->T1},
+      {.name = "T2", .components = 1, .values = output->T2},
+  };
+  const Snapshot snapshot = {
+      .mesh = &s->mesh,
+      .t = s->motion->t,
+      .x = record->x,
+      .fields = fields,
+      .n_fields = sizeof fields / sizeof *fields,
+      .restart = items,
+      .n_restart = restart_items(output, s, record, items),
+      .scene = output->resolved.data,
+  };
+  TRY(snapshot_path(&path, output->folder, number, error));
+  TRY(snapshot_write(path.data, &snapshot, error));
+  TRY(series_add(&output->series, output->folder, number, &snapshot, error));
+cleanup:
+  text_free(&path);
+  return status;
+}
+
+/* ---- resume ---- */
+
+static Status compare_scenes(const Output *output, const char *snapshot, Log *log, Error *error) {
+  Text before = {0};
+  Status status = STATUS_OK;
+  TRY(snapshot_read_scene(snapshot, &before, NULL, error));
+  if (strcmp(before.data, output->resolved.data) != 0)
+    log_warning(log,
+                "the scene or a law differs from the one that %s was written with; going on with the new one",
+                snapshot);
+cleanup:
+  text_free(&before);
+  return status;
+}
+
+Status output_resume(Output *output, Simulation *s, Record *record, Log *log, bool *found, Error *error) {
+  Status status = STATUS_OK;
+  Text snapshot = {0}, history = {0};
+  RestartItem items[MAX_RESTART_ITEMS];
+  int number = -1;
+  *found = false;
+  TRY(snapshot_find_newest(output->folder, &snapshot, &number, log, error));
+  if (number < 0) goto cleanup;
+  TRY(compare_scenes(output, snapshot.data, log, error));
+  TRY(snapshot_read_restart(snapshot.data, items, restart_items(output, s, record, items), error));
+  TRY(join(&history, output, "history.csv", error));
+  TRY(history_resume(&output->history, history.data, history_kind(s), output->history.bytes, error));
+  TRY(series_restore(&output->series, output->folder, number, log, error));
+  *found = true;
+cleanup:
+  text_free(&snapshot);
+  text_free(&history);
+  return status;
+}

@@ -1,0 +1,321 @@
+#include "run/record.h"
+
+#include "base/array.h"
+#include "base/vec3.h"
+#include "mesh/surface.h"
+#include <math.h>
+#include <string.h>
+
+static const double DEGREES = 57.295779513082320877;
+
+Status record_new(Record *record, Simulation *s, Error *error) {
+  Status status = STATUS_OK;
+  const size_t n = 3 * (size_t)s->mesh.n_nodes, points = (size_t)membrane_points(s->membrane);
+  *record = (Record){.simulation = s, .probed_t = NAN};
+  record->data = (RecordData){.t_c = NAN, .t_l = NAN, .steady_since = NAN, .sample_t = NAN};
+  TRY(ARRAY_NEW(&record->x, n, error));
+  TRY(ARRAY_NEW(&record->v, n, error));
+  TRY(ARRAY_NEW(&record->R, n, error));
+  TRY(ARRAY_NEW(&record->R0, n, error));
+  TRY(ARRAY_NEW(&record->T1, points, error));
+  TRY(ARRAY_NEW(&record->T2, points, error));
+cleanup:
+  if (status != STATUS_OK) record_free(record);
+  return status;
+}
+
+void record_free(Record *record) {
+  array_free(record->x);
+  array_free(record->v);
+  array_free(record->R);
+  array_free(record->R0);
+  array_free(record->T1);
+  array_free(record->T2);
+  *record = (Record){0};
+}
+
+/* ---- energies ---- */
+
+/* Power of the load, R . v, in units of G_s a^2 rate. */
+static double power(const Record *record, const double *R) {
+  double sum = 0;
+  for (int i = 0; i < 3 * record->simulation->mesh.n_nodes; i++) sum += R[i] * record->v[i];
+  return sum / record->simulation->material.shear_modulus;
+}
+
+/* Work of the fluid on the membrane up to the probed time: the integral of R . v, with the parabola through
+ * the power at the two ends and at the step before where the motion is smooth (an error of order h^4 a step,
+ * h^3 without). */
+static double work_done(const Record *record) {
+  const RecordData *data = &record->data;
+  const Motion *motion = record->simulation->motion;
+  const double h = record->probed_t - motion->t;
+  if (h == 0) return data->work;
+  const double P = power(record, record->R), slope = (P - record->power0) / h;
+  const double curvature =
+      motion->is_smooth && motion->last_step > 0 ? (slope - data->power_slope) / (h + motion->last_step) : 0;
+  return data->work + 0.5 * h * (record->power0 + P) - h * h * h / 6 * curvature;
+}
+
+static double stored(const Record *record) {
+  const Simulation *s = record->simulation;
+  return membrane_energy(s->membrane) / s->material.shear_modulus;
+}
+
+static double dissipated(const Record *record) {
+  const Simulation *s = record->simulation;
+  return record->data.dissipated + membrane_dissipation(s->membrane) / s->material.shear_modulus;
+}
+
+/* (stored + dissipated - work) / work: what the energy balance leaves over. */
+static double energy_error(const Record *record) {
+  const double spent = stored(record) + dissipated(record), work = work_done(record);
+  const double scale = fmax(fabs(work), spent);
+  return scale > 0 ? (spent - work) / scale : 0;
+}
+
+/* ---- probing ---- */
+
+static void keep_force(Record *record) {
+  memcpy(record->R0, record->R, 3 * (size_t)record->simulation->mesh.n_nodes * sizeof *record->R);
+}
+
+Status record_begin(Record *record, bool restored, Error *error) {
+  const Status status = record_probe(record, record->simulation->motion->t, error);
+  if (status != STATUS_OK) return status;
+  keep_force(record);
+  record->t1 = record->probed_t;
+  if (!restored)
+    record->data.work = stored(record) + dissipated(record); /* an inflation may start inflated */
+  return STATUS_OK;
+}
+
+void record_step(Record *record, double t1) {
+  const Simulation *s = record->simulation;
+  s->motion->at(s->motion, s->motion->t, record->x, record->v);
+  record->power0 = power(record, record->R0);
+  record->t1 = record->probed_t = t1;
+  s->motion->at(s->motion, t1, record->x, record->v);
+  memcpy(record->R, s->motion->R, 3 * (size_t)s->mesh.n_nodes * sizeof *record->R);
+}
+
+Status record_probe(Record *record, double t, Error *error) {
+  if (t == record->probed_t) return STATUS_OK;
+  const Simulation *s = record->simulation;
+  record->probed_t = t;
+  s->motion->at(s->motion, t, record->x, record->v);
+  const double t0 = s->motion->t;
+  Status status = membrane_force(s->membrane, record->x, t0, t - t0, record->R, error);
+  /* Both ends of the step are admissible; a point between that is not means that the step was too long. */
+  if (status == STATUS_REJECT) {
+    status = error->code = STATUS_FAILED;
+    error_prefix(error, "inside the step from t = %.6g to %.6g: ", t0, record->t1);
+  }
+  return status;
+}
+
+/* ---- extremes ---- */
+
+static int largest(const double *values, int n) {
+  int at = 0;
+  for (int k = 1; k < n; k++)
+    if (values[k] > values[at] * (1 + 1e-12)) at = k; /* the first of points that are equal by symmetry */
+  return at;
+}
+
+static double largest_damage(const Record *record) {
+  const Membrane *membrane = record->simulation->membrane;
+  const double *d = membrane_points_view(membrane).d;
+  return d ? d[largest(d, membrane_points(membrane))] : 0;
+}
+
+static double largest_release_rate(const Record *record) {
+  const Membrane *membrane = record->simulation->membrane;
+  const double *phi = membrane_points_view(membrane).phi;
+  const double now =
+      phi[largest(phi, membrane_points(membrane))] / record->simulation->material.shear_modulus;
+  return fmax(now, record->data.Y_max);
+}
+
+void record_peak(const Record *record, double X[3], double x[3]) {
+  const Simulation *s = record->simulation;
+  const MembranePoints points = membrane_points_view(s->membrane);
+  const int k = largest(points.d ? points.d : points.phi, membrane_points(s->membrane));
+  membrane_point_position(s->membrane, k, s->mesh.X, X);
+  membrane_point_position(s->membrane, k, record->x, x);
+}
+
+/* ---- rows ---- */
+
+static void inflation_averages(const Record *record, HistoryRow *row) {
+  const Simulation *s = record->simulation;
+  const MembranePoints points = membrane_points_view(s->membrane);
+  double area = 0, damaged = 0, load = 0;
+  for (int k = 0; k < membrane_points(s->membrane); k++) {
+    area += points.J[k] * points.dS0[k];
+    if (points.d) damaged += points.d[k] * points.J[k] * points.dS0[k];
+  }
+  double *A = record->v; /* velocities are not needed for a row of an inflation */
+  surface_area_vectors(&s->mesh, record->x, A);
+  for (int i = 0; i < 3 * s->mesh.n_nodes; i++) load += s->motion->q[i] * A[i];
+  row->p = load / area / s->material.shear_modulus;
+  row->d = damaged / area;
+  row->alpha = inflation_alpha(&s->inflated, record->probed_t);
+}
+
+Status record_row(Record *record, HistoryRow *row, Shape *shape, Error *error) {
+  Status status = STATUS_OK;
+  const Simulation *s = record->simulation;
+  const double G = s->material.shear_modulus;
+  const int n = membrane_points(s->membrane);
+  static const double Y_AXIS[3] = {0, 1, 0};
+  TRY(shape_measure(&s->mesh, record->x, simulation_is_inflation(s) ? Y_AXIS : s->flow.vorticity_axis, shape,
+                    error));
+  membrane_principal_tensions(s->membrane, record->T1, record->T2);
+  double T1_max = -INFINITY, T2_min = INFINITY;
+  for (int k = 0; k < n; k++) {
+    T1_max = fmax(T1_max, record->T1[k]);
+    T2_min = fmin(T2_min, record->T2[k]);
+  }
+  *row = (HistoryRow){
+      .t = record->probed_t,
+      .D12 = shape->D12,
+      .beta = shape->beta,
+      .L1 = shape->L1,
+      .L2 = shape->L2,
+      .L3 = shape->L3,
+      .area_strain = shape->area / s->area0 - 1,
+      .volume_error = shape->volume / s->volume0 - 1,
+      .d_max = largest_damage(record),
+      .Y_max = largest_release_rate(record),
+      .T1_max = T1_max / G,
+      .T2_min = T2_min / G,
+      .elastic_energy = stored(record),
+      .dissipated_energy = dissipated(record),
+      .energy_error = energy_error(record),
+      .step = record->probed_t > s->motion->t ? record->t1 - s->motion->t : s->motion->last_step,
+      .evaluations = s->motion->evaluations(s->motion),
+  };
+  if (simulation_is_inflation(s)) inflation_averages(record, row);
+cleanup:
+  return status;
+}
+
+/* ---- events ---- */
+
+/* First time in the proposed step at which the largest damage passes `level` (d > 0 for level 0, d >= level
+ * else), by bisection on the dense output; the probe is left there. */
+static Status locate(Record *record, double level, double *t_event, Error *error) {
+  Status status = STATUS_OK;
+  double before = record->simulation->motion->t, after = record->t1;
+  const double resolution = 1e-6 * (record->t1 - before);
+  while (after - before > resolution) {
+    const double middle = 0.5 * (before + after);
+    TRY(record_probe(record, middle, error));
+    const double d = largest_damage(record);
+    if (level > 0 ? d >= level : d > 0)
+      after = middle;
+    else
+      before = middle;
+  }
+  TRY(record_probe(record, after, error));
+  *t_event = after;
+cleanup:
+  return status;
+}
+
+static Status note_rupture(Record *record, Error *error) {
+  Status status = STATUS_OK;
+  const Simulation *s = record->simulation;
+  RecordData *data = &record->data;
+  HistoryRow row;
+  Shape shape;
+  TRY(record_row(record, &row, &shape, error));
+  record_peak(record, data->rupture_X, data->rupture_x);
+  double arm[3];
+  vec3_subtract(data->rupture_x, shape.center, arm);
+  const double length = vec3_norm(arm);
+  const double *vorticity = simulation_is_inflation(s) ? shape.e3 : s->flow.vorticity_axis;
+  data->rupture_to_vorticity = DEGREES * acos(fmin(fabs(vec3_dot(arm, vorticity)) / length, 1));
+  data->rupture_to_major = DEGREES * acos(fmin(fabs(vec3_dot(arm, shape.e1)) / length, 1));
+  const MembranePoints points = membrane_points_view(s->membrane);
+  double area = 0, damaged = 0;
+  for (int k = 0; k < membrane_points(s->membrane); k++) {
+    area += points.dS0[k];
+    if (points.d[k] > 0) damaged += points.dS0[k];
+  }
+  data->rupture_area = damaged / area;
+cleanup:
+  return status;
+}
+
+Status record_events(Record *record, Error *error) {
+  Status status = STATUS_OK;
+  RecordData *data = &record->data;
+  const double d = largest_damage(record); /* at t1 */
+  if (isnan(data->t_c) && d > 0) TRY(locate(record, 0, &data->t_c, error));
+  if (isnan(data->t_l) && d >= 1) {
+    TRY(locate(record, 1, &data->t_l, error));
+    TRY(note_rupture(record, error));
+  }
+cleanup:
+  return status;
+}
+
+Status record_advance(Record *record, Error *error) {
+  Status status = STATUS_OK;
+  RecordData *data = &record->data;
+  const Simulation *s = record->simulation;
+  TRY(record_probe(record, record->t1, error));
+  const double h = record->t1 - s->motion->t, work = work_done(record);
+  data->energy_error_max = fmax(data->energy_error_max, fabs(energy_error(record)));
+  data->volume_error_max =
+      fmax(data->volume_error_max, fabs(surface_volume(&s->mesh, record->x) / s->volume0 - 1));
+  data->Y_max = largest_release_rate(record);
+  data->dissipated = dissipated(record);
+  data->power_slope = (power(record, record->R) - record->power0) / h;
+  data->work = work;
+  keep_force(record);
+cleanup:
+  return status;
+}
+
+/* ---- summary ---- */
+
+Status record_summary(Record *record, Summary *summary, Error *error) {
+  Status status = STATUS_OK;
+  const Simulation *s = record->simulation;
+  const RecordData *data = &record->data;
+  HistoryRow row;
+  Shape shape;
+  TRY(record_row(record, &row, &shape, error));
+  *summary = (Summary){
+      .t = row.t,
+      .D12 = row.D12,
+      .beta = row.beta,
+      .L1 = row.L1,
+      .L2 = row.L2,
+      .L3 = row.L3,
+      .area_strain = row.area_strain,
+      .volume_error = row.volume_error,
+      .volume_error_max = simulation_is_inflation(s) ? NAN : data->volume_error_max,
+      .d_max = row.d_max,
+      .Y_max = row.Y_max,
+      .t_c = data->t_c,
+      .t_l = data->t_l,
+      .has_rupture = !isnan(data->t_l),
+      .energy_error_max = data->energy_error_max,
+      .elements = s->mesh.n_elements,
+      .nodes = s->mesh.n_nodes,
+      .skipped = s->skipped,
+      .n_skipped = s->n_skipped,
+  };
+  record_peak(record, summary->d_max_location.X, summary->d_max_location.x);
+  memcpy(summary->rupture.X, data->rupture_X, sizeof data->rupture_X);
+  memcpy(summary->rupture.x, data->rupture_x, sizeof data->rupture_x);
+  summary->rupture.angle_to_vorticity_deg = data->rupture_to_vorticity;
+  summary->rupture.angle_to_major_axis_deg = data->rupture_to_major;
+  summary->rupture.damaged_area_fraction = data->rupture_area;
+cleanup:
+  return status;
+}

@@ -1,0 +1,67 @@
+/* What a run has seen so far, and the measures of its state: energies, extremes, first damage, rupture.
+ *
+ * A record is looked after by the loop: `record_probe` puts the membrane's trial state at a time inside the
+ * proposed step, measures read it, `record_advance` takes the end of the step in. */
+#ifndef CAPSELLA_RUN_RECORD_H
+#define CAPSELLA_RUN_RECORD_H
+
+#include "base/status.h"
+#include "observe/history.h"
+#include "observe/shape.h"
+#include "observe/summary.h"
+#include "run/simulation.h"
+
+/* Everything here is a double, so that a restart keeps it as one array. */
+typedef struct {
+  double t_c, t_l; /* NAN: not yet */
+  double Y_max;    /* largest Y of any integration point so far (paper eq. 2.31) */
+  double volume_error_max, energy_error_max;
+  double work, dissipated; /* up to the accepted time, in units of G_s a^2 */
+  double power_slope;      /* divided difference of the power over the last step */
+  double rupture_X[3], rupture_x[3], rupture_to_vorticity, rupture_to_major, rupture_area;
+  double steady_since; /* start of the time over which rates stayed below stop.steady; NAN: not now */
+  double sample_t, sample_D12, sample_d_max; /* of the last sample */
+  double wall_seconds;                       /* of earlier processes of this run */
+} RecordData;
+
+typedef struct {
+  Simulation *simulation;
+  RecordData data;
+  double probed_t;   /* time of the membrane's trial state; NAN: not in the proposed step */
+  double *x, *v, *R; /* [n_nodes][3] at the probed time */
+  double *R0;        /* [n_nodes][3] at the accepted time */
+  double power0;     /* R0 . v at the start of the proposed step */
+  double *T1, *T2;   /* [n_points] scratch */
+  double t1;         /* end of the proposed step */
+} Record;
+
+Status record_new(Record *record, Simulation *simulation, Error *error);
+void record_free(Record *record);
+
+/* The simulation stands at its start, or has been restored from a snapshot (`data` then too). */
+Status record_begin(Record *record, bool restored, Error *error);
+
+/* A step from the accepted time to t1 has been proposed; the membrane's trial state is at t1. */
+void record_step(Record *record, double t1);
+
+/* Puts x, v, R and the membrane's trial state at time t of the proposed step. */
+Status record_probe(Record *record, double t, Error *error);
+
+/* One row at the probed time. */
+Status record_row(Record *record, HistoryRow *row, Shape *shape, Error *error);
+
+/* First damage and rupture inside the proposed step, located on the dense output; sets t_c, t_l when they
+ * occur. */
+Status record_events(Record *record, Error *error);
+
+/* Takes the end of the proposed step in: work, dissipation, extremes.  Call with the probe at t1, before the
+ * membrane commits. */
+Status record_advance(Record *record, Error *error);
+
+/* Where d (or, without a damage law, Y) is largest at the probed time: reference and current position. */
+void record_peak(const Record *record, double X[3], double x[3]);
+
+/* Fills in the figures of the summary at the probed time; the caller adds outcome, steps and cost. */
+Status record_summary(Record *record, Summary *summary, Error *error);
+
+#endif

@@ -1,0 +1,265 @@
+#include "run/run.h"
+
+#include "base/file.h"
+#include "base/log.h"
+#include "base/timer.h"
+#include "observe/progress.h"
+#include "run/output.h"
+#include "run/record.h"
+#include "run/simulation.h"
+#include <math.h>
+#include <omp.h>
+#include <string.h>
+
+/* A run is steady when its rates have stayed below stop.steady for this long. */
+static const double STEADY_TIME = 1.0;
+
+typedef struct {
+  const RunOptions *options;
+  Scene scene;
+  Log log;
+  Simulation simulation;
+  Record record;
+  Output output;
+  Progress progress;
+  double started; /* wall clock */
+  Outcome outcome;
+  bool done;
+} Run;
+
+/* ---- observing ---- */
+
+static double wall_seconds(const Run *run) {
+  return run->record.data.wall_seconds + timer_wall_seconds() - run->started;
+}
+
+static ProgressState progress_state(const Run *run, const HistoryRow *row) {
+  const Motion *motion = run->simulation.motion;
+  return (ProgressState){.t = row->t,
+                         .steps = motion->steps(motion),
+                         .step = row->step,
+                         .D12 = row->D12,
+                         .d_max = row->d_max,
+                         .wall_seconds = timer_wall_seconds() - run->started};
+}
+
+/* Rates of D12 and d_max between samples; steady when they have been small for long enough. */
+static void watch_steady(Run *run, const HistoryRow *row) {
+  RecordData *data = &run->record.data;
+  const double limit = run->scene.stop.steady, dt = row->t - data->sample_t;
+  if (dt > 0) {
+    const double rate = fmax(fabs(row->D12 - data->sample_D12), fabs(row->d_max - data->sample_d_max)) / dt;
+    if (!(rate < limit))
+      data->steady_since = NAN;
+    else if (isnan(data->steady_since))
+      data->steady_since = data->sample_t;
+  }
+  data->sample_t = row->t;
+  data->sample_D12 = row->D12;
+  data->sample_d_max = row->d_max;
+}
+
+/* One row of the history at time t of the proposed step (or at the accepted time). */
+static Status sample(Run *run, double t, Error *error) {
+  Status status = STATUS_OK;
+  HistoryRow row;
+  Shape shape;
+  TRY(record_probe(&run->record, t, error));
+  TRY(record_row(&run->record, &row, &shape, error));
+  TRY(output_row(&run->output, &row, error));
+  watch_steady(run, &row);
+  const ProgressState state = progress_state(run, &row);
+  progress_sample(&run->progress, &state);
+cleanup:
+  return status;
+}
+
+static Status take_samples(Run *run, double t1, Error *error) {
+  Status status = STATUS_OK;
+  for (;;) {
+    const double t = output_next_sample(&run->output, &run->simulation);
+    if (t > t1 || t > run->scene.time.end) break;
+    TRY(sample(run, t, error));
+    run->output.next_sample++;
+  }
+cleanup:
+  return status;
+}
+
+/* ---- starting ---- */
+
+static Status start(Run *run, Error *error) {
+  Status status = STATUS_OK;
+  bool found = false;
+  if (run->options->resume)
+    TRY(output_resume(&run->output, &run->simulation, &run->record, &run->log, &found, error));
+  if (found) {
+    log_note(&run->log, "resumed at t = %g", run->simulation.motion->t);
+    TRY(record_begin(&run->record, true, error));
+    goto cleanup;
+  }
+  if (run->options->resume) log_note(&run->log, "no snapshot to resume from: starting anew");
+  TRY(simulation_start(&run->simulation, error));
+  TRY(output_start(&run->output, &run->simulation, error));
+  TRY(record_begin(&run->record, false, error));
+  TRY(take_samples(run, run->simulation.motion->t, error));
+  if (isfinite(output_next_snapshot(&run->output, &run->simulation))) {
+    run->output.next_snapshot++;
+    TRY(output_snapshot(&run->output, &run->simulation, &run->record, error));
+  }
+cleanup:
+  return status;
+}
+
+/* ---- one step ---- */
+
+static void finish(Run *run, Outcome outcome) {
+  run->outcome = outcome;
+  run->done = true;
+}
+
+/* Ends the proposed step at the instant of rupture. */
+static Status stop_at_rupture(Run *run, Error *error) {
+  Status status = STATUS_OK;
+  Simulation *s = &run->simulation;
+  const double t_l = run->record.data.t_l;
+  TRY(record_probe(&run->record, t_l, error));
+  s->motion->shorten(s->motion, t_l);
+  run->record.t1 = t_l;
+  TRY(membrane_load(s->membrane, run->record.R, s->motion->q, error));
+  finish(run, OUTCOME_RUPTURED);
+cleanup:
+  return status;
+}
+
+static Status advance(Run *run, Error *error) {
+  Status status = STATUS_OK;
+  Simulation *s = &run->simulation;
+  double t1;
+  const double t_limit = fmin(output_next_snapshot(&run->output, s), run->scene.time.end);
+  TRY(s->motion->propose(s->motion, t_limit, &t1, &run->log, error));
+  record_step(&run->record, t1);
+
+  const bool was_whole = isnan(run->record.data.t_l);
+  TRY(record_events(&run->record, error));
+  if (was_whole && !isnan(run->record.data.t_l)) {
+    log_note(&run->log, "rupture at t = %.6g", run->record.data.t_l);
+    if (run->scene.stop.rupture == RUPTURE_STOP) TRY(stop_at_rupture(run, error));
+  }
+  TRY(take_samples(run, run->record.t1, error));
+  TRY(record_advance(&run->record, error));
+  s->motion->accept(s->motion);
+  membrane_commit(s->membrane);
+
+  if (s->motion->t >= t_limit && t_limit < run->scene.time.end) {
+    run->output.next_snapshot++;
+    TRY(output_snapshot(&run->output, s, &run->record, error));
+  }
+  if (run->done) goto cleanup;
+  if (s->motion->t >= run->scene.time.end)
+    finish(run, OUTCOME_END);
+  else if (run->scene.stop.steady > 0 &&
+           run->record.data.sample_t - run->record.data.steady_since >= STEADY_TIME)
+    finish(run, OUTCOME_STEADY);
+  else if (run->options->interrupt && *run->options->interrupt)
+    finish(run, OUTCOME_INTERRUPTED);
+cleanup:
+  return status;
+}
+
+/* ---- ending ---- */
+
+static Status write_summary(Run *run, Error *error) {
+  Status status = STATUS_OK;
+  Text path = {0};
+  Summary summary;
+  const Motion *motion = run->simulation.motion;
+  TRY(record_probe(&run->record, motion->t, error));
+  TRY(record_summary(&run->record, &summary, error));
+  summary.status = run->outcome;
+  summary.steps = motion->steps(motion);
+  summary.rejected_steps = motion->rejected(motion);
+  summary.evaluations = motion->evaluations(motion);
+  summary.wall_seconds = wall_seconds(run);
+  summary.threads = omp_get_max_threads();
+  TRY(file_join(&path, run->output.folder, "summary.json", error));
+  TRY(summary_write(&summary, path.data, error));
+cleanup:
+  text_free(&path);
+  return status;
+}
+
+/* The last state: a row, a snapshot, the summary.  Also after a failure, from the last accepted state. */
+static Status conclude(Run *run, Error *error) {
+  Status status = STATUS_OK;
+  const double t = run->simulation.motion->t;
+  if (run->output.last_row_t < t || isnan(run->output.last_row_t)) TRY(sample(run, t, error));
+  run->record.data.wall_seconds = wall_seconds(run);
+  run->started = timer_wall_seconds();
+  TRY(output_snapshot(&run->output, &run->simulation, &run->record, error));
+  TRY(write_summary(run, error));
+  log_note(&run->log, "%s at t = %.6g, %lld evaluations, %.3g s", outcome_name(run->outcome), t,
+           run->simulation.motion->evaluations(run->simulation.motion), run->record.data.wall_seconds);
+cleanup:
+  progress_clear(&run->progress);
+  return status;
+}
+
+/* The trial state of a step that failed is gone: go back to the accepted one, and conclude there. */
+static void conclude_failed(Run *run, const Error *cause) {
+  Error ignored;
+  run->outcome = OUTCOME_FAILED;
+  run->record.probed_t = NAN;
+  run->record.t1 = run->simulation.motion->t;
+  log_note(&run->log, "failed: %s", cause->text);
+  if (conclude(run, &ignored) != STATUS_OK) log_note(&run->log, "while concluding: %s", ignored.text);
+}
+
+static Status open_folder(Run *run, Text *folder, Error *error) {
+  Status status = STATUS_OK;
+  Text log_path = {0};
+  if (run->options->folder)
+    TRY(text_append(folder, error, "%s", run->options->folder));
+  else
+    TRY(text_append(folder, error, "results/%s", run->scene.name));
+  TRY(file_make_folder(folder->data, error));
+  TRY(file_join(&log_path, folder->data, "log.txt", error));
+  TRY(log_open(&run->log, log_path.data, run->options->resume, run->options->quiet, error));
+  log_note(&run->log, "capsella " CAPSELLA_VERSION ", scene %s", run->options->scene_path);
+cleanup:
+  text_free(&log_path);
+  return status;
+}
+
+Status run_scene(const RunOptions *options, Outcome *outcome, Text *folder, Error *error) {
+  Status status = STATUS_OK;
+  Run run = {.options = options, .started = timer_wall_seconds(), .outcome = OUTCOME_FAILED};
+  if (options->threads > 0) omp_set_num_threads(options->threads);
+  TRY(scene_read(&run.scene, options->scene_path, options->sets, options->n_sets, error));
+  TRY(open_folder(&run, folder, error));
+  TRY(simulation_new(&run.simulation, &run.scene, &run.log, error));
+  TRY(record_new(&run.record, &run.simulation, error));
+  TRY(output_open(&run.output, folder->data, &run.simulation, error));
+  progress_start(&run.progress, options->progress, options->quiet, 0, run.scene.time.end);
+  TRY(start(&run, error));
+  progress_start(&run.progress, options->progress, options->quiet, run.simulation.motion->t,
+                 run.scene.time.end);
+  if (run.simulation.motion->t >= run.scene.time.end) finish(&run, OUTCOME_END);
+  while (!run.done) {
+    status = advance(&run, error);
+    if (status != STATUS_OK) {
+      conclude_failed(&run, error);
+      goto cleanup;
+    }
+  }
+  TRY(conclude(&run, error));
+cleanup:
+  if (status != STATUS_OK) log_note(&run.log, "%s", error->text);
+  *outcome = run.outcome;
+  output_close(&run.output);
+  record_free(&run.record);
+  simulation_free(&run.simulation);
+  log_close(&run.log);
+  scene_free(&run.scene);
+  return status;
+}

@@ -1,0 +1,108 @@
+#include "run/simulation.h"
+
+#include "base/array.h"
+#include "base/file.h"
+#include "mesh/surface.h"
+#include <math.h>
+
+bool simulation_is_inflation(const Simulation *s) {
+  return s->scene->flow.kind == FLOW_INFLATION;
+}
+
+static void skip(Simulation *s, const char *what) {
+  if (s->n_skipped < MAX_SKIPPED) s->skipped[s->n_skipped++] = what;
+}
+
+/* Lengths by a, time by 1/rate, tensions by G: a mass is G / rate^2. */
+static void derive_scales(Simulation *s) {
+  Scene *scene = s->scene;
+  s->scales = (LawScales){1, 1, 1};
+  if (!scene->flow.is_physical) return;
+  const double rate = scene->flow.shear_rate.value, modulus = scene->flow.shear_modulus.value;
+  s->scales.length = scene->flow.radius.value;
+  s->scales.time = 1 / rate;
+  s->scales.mass = modulus / (rate * rate);
+  scene->flow.capillary_number = scene->flow.viscosity.value * rate * scene->flow.radius.value / modulus;
+}
+
+static Status load_laws(Simulation *s, Log *log, Error *error) {
+  Status status = STATUS_OK;
+  LawSearch search = {0};
+  Text folder = {0};
+  TRY(file_folder(&folder, s->scene->file, error));
+  TRY(law_search_default(&search, folder.data, error));
+  TRY(material_new(&s->material, s->scene, &search, &s->scales, log, error));
+  if (!material_has_damage(&s->material)) skip(s, "damage: the scene names no damage law");
+cleanup:
+  text_free(&folder);
+  law_search_free(&search);
+  return status;
+}
+
+static Status build_capsule(Simulation *s, Error *error) {
+  Status status = STATUS_OK;
+  MeshRotation rotation = {.angle = s->scene->mesh.rotation_angle};
+  for (int c = 0; c < 3; c++) rotation.axis[c] = s->scene->mesh.rotation_axis[c];
+  TRY(mesh_sphere(&s->mesh, s->scene->mesh.subdivisions, rotation.angle != 0 ? &rotation : NULL, error));
+  TRY(membrane_new(&s->membrane, &s->mesh, &s->material, s->scene->membrane.mass_solver, error));
+  s->volume0 = surface_volume(&s->mesh, s->mesh.X);
+  s->area0 = surface_area(&s->mesh, s->mesh.X);
+cleanup:
+  return status;
+}
+
+static Status build_fluid(Simulation *s, Error *error) {
+  Status status = STATUS_OK;
+  const Scene *scene = s->scene;
+  flow_linear(&s->flow, scene->flow.gradient);
+  TRY(single_layer_new(&s->layer, &s->mesh, scene->fluid_method, error));
+  const double mobility = 1 / (scene->flow.capillary_number * s->material.shear_modulus);
+  TRY(system_new(&s->system, &s->mesh, s->membrane, s->layer, &s->flow, mobility, scene->flow.remove_flux,
+                 error));
+  const StepperOptions options = {.integrator = scene->time.integrator,
+                                  .is_auto = scene->time.step_is_auto,
+                                  .fixed_step = scene->time.step,
+                                  .tolerance = scene->time.tolerance,
+                                  .allow_unstable = scene->time.allow_unstable};
+  TRY(stepper_new(&s->stepper, system_rhs(&s->system), options, error));
+  flow_motion(&s->carried, &s->system, &s->stepper);
+  s->motion = &s->carried.base;
+cleanup:
+  return status;
+}
+
+Status simulation_new(Simulation *s, Scene *scene, Log *log, Error *error) {
+  Status status = STATUS_OK;
+  *s = (Simulation){.scene = scene};
+  derive_scales(s);
+  TRY(load_laws(s, log, error));
+  TRY(build_capsule(s, error));
+  if (simulation_is_inflation(s)) {
+    const double longest = scene->output.history_every > 0 ? scene->output.history_every : INFINITY;
+    TRY(inflation_motion(&s->inflated, &s->mesh, s->membrane, (const double(*)[2])scene->flow.path,
+                         scene->flow.n_path, longest, error));
+    s->motion = &s->inflated.base;
+    skip(s, "fluid: the radius is imposed, no flow is computed");
+  } else {
+    TRY(build_fluid(s, error));
+  }
+cleanup:
+  if (status != STATUS_OK) simulation_free(s);
+  return status;
+}
+
+void simulation_free(Simulation *s) {
+  inflation_motion_free(&s->inflated);
+  stepper_free(&s->stepper);
+  system_free(&s->system);
+  single_layer_free(s->layer);
+  membrane_free(s->membrane);
+  mesh_free(&s->mesh);
+  material_free(&s->material);
+  *s = (Simulation){0};
+}
+
+Status simulation_start(Simulation *s, Error *error) {
+  if (simulation_is_inflation(s)) return inflation_start(&s->inflated, error);
+  return stepper_start(&s->stepper, 0, s->mesh.X, error);
+}
