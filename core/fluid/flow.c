@@ -1,0 +1,62 @@
+/* Linear background flows.  The kinds that a scene names are all linear: config/ fills in their gradient. */
+#include "fluid/flow.h"
+
+#include "base/vec3.h"
+#include "linalg/eigen.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Below this fraction of the gradient the vorticity is round-off. */
+static const double VORTICITY_NOISE = 1e-12;
+
+static void linear_velocity(const Flow *flow, const double x[3], double t, double v[3]) {
+  (void)t;
+  for (int i = 0; i < 3; i++) v[i] = vec3_dot(flow->gradient[i], x);
+}
+
+/* Turns a unit vector so that its largest component is positive. */
+static void point_forward(double axis[3]) {
+  int largest = 0;
+  for (int i = 1; i < 3; i++) {
+    if (fabs(axis[i]) > fabs(axis[largest])) largest = i;
+  }
+  if (axis[largest] >= 0) return;
+  for (int i = 0; i < 3; i++) axis[i] = -axis[i];
+}
+
+static void strain_axis(const double G[3][3], double axis[3]) {
+  double strain[3][3], value[3], vector[3][3];
+  Error ignored;
+  for (int i = 0; i < 3; i++) {
+    for (int j = 0; j < 3; j++) strain[i][j] = 0.5 * (G[i][j] + G[j][i]);
+  }
+  if (eigen_symmetric3((const double(*)[3])strain, value, vector, &ignored) == STATUS_OK) {
+    memcpy(axis, vector[1], sizeof vector[1]);
+  } else { /* a gradient that is not finite: any axis will do */
+    memcpy(axis, (const double[3]){0, 1, 0}, 3 * sizeof(double));
+  }
+  point_forward(axis);
+}
+
+void flow_linear(Flow *flow, const double gradient[3][3]) {
+  flow->velocity = linear_velocity;
+  memcpy(flow->gradient, gradient, sizeof flow->gradient);
+  const double(*G)[3] = gradient;
+  double size = 0;
+  for (int i = 0; i < 3; i++) size += vec3_dot(G[i], G[i]);
+  double *axis = flow->vorticity_axis;
+  for (int i = 0; i < 3; i++) {
+    int j = (i + 1) % 3, k = (i + 2) % 3;
+    axis[i] = G[k][j] - G[j][k];
+  }
+  if (vec3_norm(axis) > VORTICITY_NOISE * sqrt(size)) {
+    vec3_normalize(axis);
+  } else {
+    strain_axis(G, axis);
+  }
+}
+
+void flow_velocity(const Flow *flow, int n, const double *x, double t, double *v) {
+  for (int p = 0; p < n; p++) flow->velocity(flow, x + 3 * p, t, v + 3 * p);
+}

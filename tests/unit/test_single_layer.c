@@ -1,0 +1,401 @@
+/* The single layer against exact solutions on spheres and ellipsoids, and against itself where the result
+ * may not depend on something: threads, earlier calls, method.
+ *
+ * Errors are the largest over the nodes, over the largest velocity.  A bound is the sum of two: what the P2
+ * surface and load of 1280 elements cost whatever the quadrature (FLOOR, seen with a far finer rule), and
+ * what the quadrature of the method may add. */
+#include "base/array.h"
+#include "base/vec3.h"
+#include "fluid/single_layer.h"
+#include "mesh/quadrature.h"
+#include "suite.h"
+#include <math.h>
+#include <omp.h>
+#include <string.h>
+
+static const double PI = 3.14159265358979323846;
+static const double SPHERE[3] = {1, 1, 1}, CAPSULE[3] = {2, 1, 0.5}, STRETCHED[3] = {3, 1, 1.0 / 3};
+static const FluidMethod METHODS[] = {FLUID_DIRECT, FLUID_FAST, FLUID_REFERENCE};
+enum { N_METHODS = 3, N_SHAPES = 3 };
+static const double *const SHAPES[N_SHAPES] = {SPHERE, CAPSULE, STRETCHED};
+/* Loads differ in how sharp they are: the worst is the translation along the shortest axis. */
+static const double QUADRATURE[][N_SHAPES] = {
+    [FLUID_FAST] = {5.9e-6, 1.0e-5, 2.0e-4},
+    [FLUID_DIRECT] = {2.1e-5, 1.3e-3, 6.1e-3},
+    [FLUID_REFERENCE] = {4e-7, 5e-7, 1.3e-5},
+};
+
+/* An ellipsoid on an icosphere, with a load and the velocity it should give. */
+typedef struct {
+  Mesh mesh;
+  double axis[3];
+  double *x, *q, *u, *expected;
+} Body;
+
+static void body_new(Body *body, int subdivisions, const double axis[3]) {
+  Error error;
+  ck_assert_int_eq(mesh_sphere(&body->mesh, subdivisions, NULL, &error), STATUS_OK);
+  int n = 3 * body->mesh.n_nodes;
+  double **arrays[] = {&body->x, &body->q, &body->u, &body->expected};
+  for (int i = 0; i < 4; i++) ck_assert_int_eq(ARRAY_NEW(arrays[i], n, &error), STATUS_OK);
+  memcpy(body->axis, axis, sizeof body->axis);
+  for (int i = 0; i < n; i++) body->x[i] = axis[i % 3] * body->mesh.X[i];
+}
+
+static void body_free(Body *body) {
+  mesh_free(&body->mesh);
+  array_free(body->x);
+  array_free(body->q);
+  array_free(body->u);
+  array_free(body->expected);
+}
+
+static void body_evaluate(Body *body, FluidMethod method) {
+  SingleLayer *layer;
+  Error error;
+  ck_assert_int_eq(single_layer_new(&layer, &body->mesh, method, &error), STATUS_OK);
+  ck_assert_int_eq(single_layer_evaluate(layer, body->x, body->q, body->u, &error), STATUS_OK);
+  single_layer_free(layer);
+}
+
+static double largest(int n, const double *v) {
+  double norm = 0;
+  for (int p = 0; p < n; p++) norm = fmax(norm, vec3_norm(v + 3 * p));
+  return norm;
+}
+
+static double body_error(const Body *body) {
+  double error = 0;
+  int n = body->mesh.n_nodes;
+  for (int p = 0; p < n; p++) error = fmax(error, vec3_distance(body->u + 3 * p, body->expected + 3 * p));
+  return error / largest(n, body->expected);
+}
+
+/* Outward unit normal of the ellipsoid at one of its points; returns |(x/A^2, y/B^2, z/C^2)|. */
+static double ellipsoid_normal(const double axis[3], const double *x, double n[3]) {
+  for (int i = 0; i < 3; i++) n[i] = x[i] / (axis[i] * axis[i]);
+  return vec3_normalize(n);
+}
+
+/* chi, alpha_i and C_ij: integrals over s from 0 to infinity, by s = c^2 (1/w^2 - 1) over w from 0 to 1,
+ * where the integrands are analytic.  c is the shortest axis. */
+typedef struct {
+  double chi, alpha[3], C[3][3];
+} EllipsoidIntegrals;
+
+static EllipsoidIntegrals ellipsoid_integrals(const double axis[3]) {
+  EllipsoidIntegrals sum = {0};
+  double w[GAUSS_MAX], weight[GAUSS_MAX];
+  gauss_rule(GAUSS_MAX, w, weight);
+  double c = fmin(axis[0], fmin(axis[1], axis[2])), c2 = c * c;
+  for (int k = 0; k < GAUSS_MAX; k++) {
+    double w2 = w[k] * w[k], s = c2 * (1 / w2 - 1), h[3]; /* h_i = w^2 (a_i^2 + s) */
+    for (int i = 0; i < 3; i++) h[i] = axis[i] * axis[i] * w2 + c2 * (1 - w2);
+    double base = weight[k] * 2 * c2 / sqrt(h[0] * h[1] * h[2]);
+    sum.chi += base;
+    for (int i = 0; i < 3; i++) {
+      sum.alpha[i] += base * w2 / h[i];
+      for (int j = 0; j < 3; j++) sum.C[i][j] += base * s * w2 * w2 / (h[i] * h[j]);
+    }
+  }
+  return sum;
+}
+
+/* Load of an ellipsoid in translation and its uniform velocity, for unit force density scale. */
+static void load_translation(Body *body, int direction) {
+  EllipsoidIntegrals I = ellipsoid_integrals(body->axis);
+  const double *a = body->axis;
+  double U = a[0] * a[1] * a[2] / 4 * (I.chi + I.alpha[direction] * a[direction] * a[direction]);
+  for (int p = 0; p < body->mesh.n_nodes; p++) {
+    double n[3], density = 1 / ellipsoid_normal(a, body->x + 3 * p, n);
+    for (int i = 0; i < 3; i++) {
+      body->q[3 * p + i] = i == direction ? density : 0;
+      body->expected[3 * p + i] = i == direction ? U : 0;
+    }
+  }
+}
+
+/* Worst of the three directions. */
+static double translation_error(const double axis[3], int subdivisions, FluidMethod method) {
+  Body body;
+  double worst = 0;
+  body_new(&body, subdivisions, axis);
+  for (int direction = 0; direction < 3; direction++) {
+    load_translation(&body, direction);
+    body_evaluate(&body, method);
+    worst = fmax(worst, body_error(&body));
+  }
+  body_free(&body);
+  return worst;
+}
+
+START_TEST(ellipsoid_integrals_agree_with_tabulated_mobilities) {
+  const double prolate[3] = {2, 1, 1}, oblate[3] = {1, 1, 0.5};
+  EllipsoidIntegrals I = ellipsoid_integrals(prolate), J = ellipsoid_integrals(oblate);
+  const double scale = 1 / (16 * PI);
+  ck_assert_double_eq_tol(scale * (I.chi + 4 * I.alpha[0]), 0.04406499, 6e-9);
+  ck_assert_double_eq_tol(scale * (I.chi + I.alpha[1]), 0.03847392, 6e-9);
+  ck_assert_double_eq_tol(scale * (J.chi + J.alpha[0]), 0.06692463, 6e-9);
+  ck_assert_double_eq_tol(scale * (J.chi + J.alpha[2] / 4), 0.05860084, 6e-9);
+}
+END_TEST
+
+START_TEST(ellipsoid_in_translation_moves_uniformly) {
+  static const double FLOOR[N_SHAPES] = {6e-6, 6e-5, 6e-4};
+  for (int m = 0; m < N_METHODS; m++) {
+    for (int k = 0; k < N_SHAPES; k++) {
+      double error = translation_error(SHAPES[k], 3, METHODS[m]);
+      ck_assert_double_lt(error, FLOOR[k] + QUADRATURE[METHODS[m]][k]);
+    }
+  }
+}
+END_TEST
+
+/* q = D n with a constant matrix D. */
+static void load_matrix(Body *body, const double D[3][3]) {
+  for (int p = 0; p < body->mesh.n_nodes; p++) {
+    double n[3];
+    ellipsoid_normal(body->axis, body->x + 3 * p, n);
+    for (int i = 0; i < 3; i++) body->q[3 * p + i] = vec3_dot(D[i], n);
+  }
+}
+
+static void expect_matrix(Body *body, const double G[3][3]) {
+  for (int p = 0; p < body->mesh.n_nodes; p++) {
+    for (int i = 0; i < 3; i++) body->expected[3 * p + i] = vec3_dot(G[i], body->x + 3 * p);
+  }
+}
+
+static const double IDENTITY[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+
+START_TEST(normal_load_moves_nothing) {
+  static const double FLOOR[N_SHAPES] = {4e-7, 1.2e-5, 9e-5};
+  for (int m = 0; m < N_METHODS; m++) {
+    for (int k = 0; k < N_SHAPES; k++) {
+      Body body;
+      body_new(&body, 3, SHAPES[k]);
+      load_matrix(&body, IDENTITY);
+      body_evaluate(&body, METHODS[m]);
+      ck_assert_double_lt(largest(body.mesh.n_nodes, body.u), FLOOR[k] + QUADRATURE[METHODS[m]][k]);
+      body_free(&body);
+    }
+  }
+}
+END_TEST
+
+START_TEST(sphere_has_its_eigenvalues) {
+  /* constant: 2/3; omega x n: 1/3; E.n: 1/5 */
+  static const double spin[3][3] = {{0, -0.4, 0.2}, {0.4, 0, -0.7}, {-0.2, 0.7, 0}};
+  static const double strain[3][3] = {{0.5, 0.3, -0.1}, {0.3, -0.8, 0.6}, {-0.1, 0.6, 0.3}};
+  for (int m = 0; m < N_METHODS; m++) {
+    Body body;
+    double bound = QUADRATURE[METHODS[m]][0];
+    body_new(&body, 3, SPHERE);
+    for (int i = 0; i < 3 * body.mesh.n_nodes; i++) {
+      body.q[i] = i % 3 + 1;
+      body.expected[i] = body.q[i] * 2 / 3;
+    }
+    body_evaluate(&body, METHODS[m]);
+    ck_assert_double_lt(body_error(&body), 6e-6 + bound);
+    const double(*D[])[3] = {spin, strain};
+    const double eigenvalue[] = {1.0 / 3, 1.0 / 5};
+    for (int k = 0; k < 2; k++) {
+      double G[3][3];
+      for (int i = 0; i < 9; i++) G[i / 3][i % 3] = eigenvalue[k] * D[k][i / 3][i % 3];
+      load_matrix(&body, D[k]);
+      expect_matrix(&body, (const double(*)[3])G);
+      body_evaluate(&body, METHODS[m]);
+      ck_assert_double_lt(body_error(&body), 1e-5 + bound / eigenvalue[k]); /* over a smaller velocity */
+    }
+    body_free(&body);
+  }
+}
+END_TEST
+
+/* Velocity gradient inside an ellipsoid with q = diag(c) n. */
+static void diagonal_gradient(const double a[3], const double c[3], double G[3][3]) {
+  EllipsoidIntegrals I = ellipsoid_integrals(a);
+  memset(G, 0, 9 * sizeof(double));
+  for (int i = 0; i < 3; i++) {
+    double sum = 2 * c[i] * I.alpha[i];
+    for (int j = 0; j < 3; j++) sum -= c[j] * I.C[i][j] * (i == j ? 3 : 1);
+    G[i][i] = a[0] * a[1] * a[2] / 4 * sum;
+  }
+}
+
+START_TEST(velocity_gradients_of_ellipsoids_agree_with_the_table) {
+  static const double prolate[3] = {2, 1, 1}, oblate[3] = {1, 1, 0.5}, c[3] = {1, -0.5, -0.5};
+  static const double expected[2][3] = {{0.14051899, -0.0702595, -0.0702595},
+                                        {0.16709979, -0.0625, -0.10459979}};
+  for (int k = 0; k < 2; k++) {
+    double G[3][3];
+    diagonal_gradient(k == 0 ? prolate : oblate, c, G);
+    for (int i = 0; i < 3; i++) ck_assert_double_eq_tol(G[i][i], expected[k][i], 6e-9);
+  }
+}
+END_TEST
+
+START_TEST(ellipsoid_under_diagonal_load_strains_uniformly) {
+  static const double FLOOR[3] = {2e-5, 2e-5, 7e-5};
+  static const double axes[][3] = {{2, 1, 1}, {1, 1, 0.5}, {2, 1, 0.5}}, c[3] = {1, -0.5, -0.5};
+  for (int m = 0; m < N_METHODS; m++) {
+    for (int k = 0; k < 3; k++) {
+      Body body;
+      double G[3][3], D[3][3] = {{c[0], 0, 0}, {0, c[1], 0}, {0, 0, c[2]}};
+      body_new(&body, 3, axes[k]);
+      diagonal_gradient(axes[k], c, G);
+      load_matrix(&body, (const double(*)[3])D);
+      expect_matrix(&body, (const double(*)[3])G);
+      body_evaluate(&body, METHODS[m]);
+      ck_assert_double_lt(body_error(&body), FLOOR[k] + QUADRATURE[METHODS[m]][1]);
+      body_free(&body);
+    }
+  }
+}
+END_TEST
+
+/* Between 80 and 320 elements the corners of the mesh still matter; from there on the order is that of the P2
+ * surface, 3 or better. */
+START_TEST(error_falls_with_the_third_power_of_the_mesh_size) {
+  double coarse = translation_error(CAPSULE, 2, FLUID_FAST), fine = translation_error(CAPSULE, 3, FLUID_FAST);
+  ck_assert_double_gt(coarse / fine, 8);
+}
+END_TEST
+
+/* Against the reference on the same P2 surface: the error of the quadrature alone. */
+static double quadrature_error(const double axis[3], FluidMethod method) {
+  Body body;
+  double worst = 0;
+  body_new(&body, 3, axis);
+  for (int direction = 0; direction < 3; direction++) {
+    load_translation(&body, direction);
+    body_evaluate(&body, FLUID_REFERENCE);
+    memcpy(body.expected, body.u, 3 * (size_t)body.mesh.n_nodes * sizeof(double));
+    body_evaluate(&body, method);
+    worst = fmax(worst, body_error(&body));
+  }
+  body_free(&body);
+  return worst;
+}
+
+START_TEST(fast_is_as_near_to_the_reference_as_designed) {
+  for (int k = 0; k < N_SHAPES; k++) {
+    ck_assert_double_lt(quadrature_error(SHAPES[k], FLUID_FAST), QUADRATURE[FLUID_FAST][k]);
+  }
+}
+END_TEST
+
+START_TEST(result_does_not_depend_on_the_number_of_threads) {
+  Body body;
+  body_new(&body, 2, CAPSULE);
+  load_translation(&body, 2);
+  for (int m = 0; m < N_METHODS; m++) {
+    omp_set_num_threads(1);
+    body_evaluate(&body, METHODS[m]);
+    memcpy(body.expected, body.u, 3 * (size_t)body.mesh.n_nodes * sizeof(double));
+    for (int threads = 2; threads <= 5; threads++) {
+      omp_set_num_threads(threads);
+      body_evaluate(&body, METHODS[m]);
+      ck_assert_mem_eq(body.u, body.expected, 3 * (size_t)body.mesh.n_nodes * sizeof(double));
+    }
+  }
+  body_free(&body);
+}
+END_TEST
+
+START_TEST(result_does_not_depend_on_earlier_calls) {
+  Body a, b;
+  Error error;
+  body_new(&a, 2, CAPSULE);
+  body_new(&b, 2, STRETCHED);
+  load_translation(&a, 0);
+  load_translation(&b, 1);
+  size_t bytes = 3 * (size_t)a.mesh.n_nodes * sizeof(double);
+  for (int m = 0; m < N_METHODS; m++) {
+    SingleLayer *layer;
+    ck_assert_int_eq(single_layer_new(&layer, &a.mesh, METHODS[m], &error), STATUS_OK);
+    ck_assert_int_eq(single_layer_evaluate(layer, a.x, a.q, a.expected, &error), STATUS_OK);
+    ck_assert_int_eq(single_layer_evaluate(layer, b.x, b.q, b.u, &error), STATUS_OK);
+    ck_assert_int_eq(single_layer_evaluate(layer, a.x, a.q, a.u, &error), STATUS_OK);
+    ck_assert_mem_eq(a.u, a.expected, bytes);
+    single_layer_free(layer);
+  }
+  body_free(&a);
+  body_free(&b);
+}
+END_TEST
+
+START_TEST(pairs_are_counted_by_kind) {
+  Body body;
+  Error error;
+  SingleLayer *layer;
+  body_new(&body, 1, SPHERE);
+  load_translation(&body, 0);
+  ck_assert_int_eq(single_layer_new(&layer, &body.mesh, FLUID_DIRECT, &error), STATUS_OK);
+  for (int call = 1; call <= 2; call++) {
+    ck_assert_int_eq(single_layer_evaluate(layer, body.x, body.q, body.u, &error), STATUS_OK);
+    /* Each element holds 6 of the 162 nodes: 3 corners seen as one triangle, 3 mid-edge nodes as two. */
+    KernelCount count = single_layer_count(layer);
+    ck_assert_int_eq(count.far, call * 12LL * 80 * (162 - 6));
+    ck_assert_int_eq(count.near, 0);
+    ck_assert_int_eq(count.singular, call * 36LL * 80 * (3 + 6));
+  }
+  single_layer_free(layer);
+  body_free(&body);
+}
+END_TEST
+
+START_TEST(what_cannot_be_evaluated_is_rejected_by_name) {
+  Body body;
+  Error error;
+  SingleLayer *layer;
+  body_new(&body, 1, SPHERE);
+  load_translation(&body, 0);
+  ck_assert_int_eq(single_layer_new(&layer, &body.mesh, FLUID_FAST, &error), STATUS_OK);
+  body.q[3 * 17 + 1] = NAN;
+  ck_assert_int_eq(single_layer_evaluate(layer, body.x, body.q, body.u, &error), STATUS_REJECT);
+  ck_assert_ptr_nonnull(strstr(error.text, "load of node 17"));
+  body.q[3 * 17 + 1] = 0;
+  body.x[3 * 5] = INFINITY;
+  ck_assert_int_eq(single_layer_evaluate(layer, body.x, body.q, body.u, &error), STATUS_REJECT);
+  ck_assert_ptr_nonnull(strstr(error.text, "position of node 5"));
+  for (int i = 0; i < 6; i++) memset(body.x + 3 * body.mesh.element[3][i], 0, 3 * sizeof(double));
+  body.x[3 * 5] = 0;
+  ck_assert_int_eq(single_layer_evaluate(layer, body.x, body.q, body.u, &error), STATUS_REJECT);
+  ck_assert_ptr_nonnull(strstr(error.text, "degenerate"));
+  single_layer_free(layer);
+  body_free(&body);
+}
+END_TEST
+
+START_TEST(running_out_of_memory_is_reported) {
+  Mesh mesh;
+  Error error;
+  SingleLayer *layer;
+  ck_assert_int_eq(mesh_sphere(&mesh, 0, NULL, &error), STATUS_OK);
+  Status status = STATUS_MEMORY;
+  int n = 1;
+  for (; status == STATUS_MEMORY && n < 100; n++) {
+    array_fail_nth(n);
+    status = single_layer_new(&layer, &mesh, FLUID_FAST, &error);
+  }
+  array_fail_nth(0);
+  ck_assert_int_eq(status, STATUS_OK);
+  ck_assert_int_gt(n, 5);
+  single_layer_free(layer);
+  mesh_free(&mesh);
+}
+END_TEST
+
+int main(void) {
+  return suite_run(
+      "single_layer",
+      (SuiteTests){
+          ellipsoid_integrals_agree_with_tabulated_mobilities, ellipsoid_in_translation_moves_uniformly,
+          normal_load_moves_nothing, sphere_has_its_eigenvalues,
+          velocity_gradients_of_ellipsoids_agree_with_the_table,
+          ellipsoid_under_diagonal_load_strains_uniformly, error_falls_with_the_third_power_of_the_mesh_size,
+          fast_is_as_near_to_the_reference_as_designed, result_does_not_depend_on_the_number_of_threads,
+          result_does_not_depend_on_earlier_calls, pairs_are_counted_by_kind,
+          what_cannot_be_evaluated_is_rejected_by_name, running_out_of_memory_is_reported, NULL});
+}
