@@ -10,12 +10,8 @@
 #include "base/status.h"
 #include "config/scene.h"
 #include "laws/loader.h"
+#include "laws/parameters.h"
 #include <stdbool.h>
-
-/* What makes a dimensional parameter dimensionless; all 1 for a dimensionless scene. */
-typedef struct {
-  double mass, length, time; /* SI */
-} LawScales;
 
 typedef struct {
   LoadedLaw elastic;
@@ -71,5 +67,8 @@ int material_damage_vars(const Material *material);
 double material_elastic_initial(const Material *material,
                                 int var); /* value of a history variable at the start */
 double material_damage_initial(const Material *material, int var);
+
+/* state [n_vars][ld]: the history variables of one of the laws at the start of a run. */
+void material_start_state(const Material *material, LawKind kind, ptrdiff_t n, ptrdiff_t ld, double *state);
 
 #endif

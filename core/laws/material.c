@@ -1,0 +1,330 @@
+/* A material from a scene, and the two hot calls: batches of the elastic and of the damage law.  The hot
+ * calls allocate nothing and touch only the arrays handed in; their loops are plain so that they vectorise.
+ */
+#include "laws/material.h"
+
+#include "base/array.h"
+#include <math.h>
+#include <string.h>
+
+/* ---- Checks of values ---- */
+
+/* 0 for 0.0 and something else for 1.0.  Verdicts on many points are collected as the bits of doubles, since
+ * compilers vectorise a choice of doubles and an OR of integers, but not an OR of comparisons. */
+static inline uint64_t verdict(double zero_or_one) {
+  uint64_t bits;
+  memcpy(&bits, &zero_or_one, sizeof bits);
+  return bits;
+}
+
+/* First entry that is not in the open range (above, infinity), or -1; NaN is in no range.  The test of all
+ * comes first, since it nearly always passes. */
+static ptrdiff_t first_outside(const double *x, ptrdiff_t n, double above) {
+  uint64_t bad = 0;
+  for (ptrdiff_t i = 0; i < n; i++) {
+    bad |= verdict(x[i] > above ? 0.0 : 1.0) | verdict(x[i] < INFINITY ? 0.0 : 1.0);
+  }
+  if (!bad) return -1;
+  ptrdiff_t i = 0;
+  while (x[i] > above && x[i] < INFINITY) i++;
+  return i;
+}
+
+static ptrdiff_t first_not_finite(const double *x, ptrdiff_t n) {
+  return first_outside(x, n, -INFINITY);
+}
+
+/* Refuses the trial step when an output [n_rows][ld] holds a value that is not finite. */
+static Status check_finite(const char *law, const char *what, const double *x, ptrdiff_t n_rows, ptrdiff_t n,
+                           ptrdiff_t ld, ptrdiff_t *point, Error *error) {
+  if (!x) return STATUS_OK;
+  for (ptrdiff_t k = 0; k < n_rows; k++) {
+    const ptrdiff_t i = first_not_finite(x + k * ld, n);
+    if (i < 0) continue;
+    if (point) *point = i;
+    return error_set(error, STATUS_REJECT, "law %s: expected a finite %s, found %g at point %td of the batch",
+                     law, what, x[k * ld + i], i);
+  }
+  return STATUS_OK;
+}
+
+/* A law's status as one of ours: above 0 a smaller step may do, below 0 the run stops. */
+static Status law_says(const char *law, int code, const mlaw_error *err, ptrdiff_t n, ptrdiff_t *point,
+                       Error *error) {
+  if (code == MLAW_OK) return STATUS_OK;
+  const bool known = err->point >= 0 && err->point < n;
+  error_set(error, code > 0 ? STATUS_REJECT : STATUS_FAILED, "%.*s (status %d)", (int)sizeof err->text - 1,
+            err->text[0] ? err->text : "the law gives no reason", code);
+  if (!known) return error_prefix(error, "law %s: ", law);
+  if (point) *point = (ptrdiff_t)err->point;
+  return error_prefix(error, "law %s, point %lld of the batch: ", law, (long long)err->point);
+}
+
+/* ---- The elastic law ---- */
+
+static Status check_strain(const ElasticBatch *batch, ptrdiff_t *point, Error *error) {
+  ptrdiff_t i = first_not_finite(batch->I1, batch->n);
+  if (i < 0) i = first_outside(batch->I2, batch->n, -1.0);
+  if (i < 0) return STATUS_OK;
+  if (point) *point = i;
+  return error_set(error, STATUS_REJECT,
+                   "expected finite strains and I2 > -1, found I1 = %g, I2 = %g at point %td of the batch",
+                   batch->I1[i], batch->I2[i], i);
+}
+
+Status material_elastic(const Material *material, const ElasticBatch *batch, ptrdiff_t *point, Error *error) {
+  const mlaw_energy *law = material->elastic.energy;
+  const ptrdiff_t n = batch->n, ld = batch->ld;
+  mlaw_error err = {.point = -1};
+  const mlaw_energy_args arguments = {.size = sizeof arguments,
+                                      .n = n,
+                                      .ld = ld,
+                                      .t = batch->t,
+                                      .dt = batch->dt,
+                                      .param = material->elastic_field,
+                                      .I1 = batch->I1,
+                                      .I2 = batch->I2,
+                                      .state0 = batch->state0,
+                                      .state1 = batch->state1,
+                                      .phi = batch->phi,
+                                      .dphi = batch->dphi,
+                                      .d2phi = batch->d2phi,
+                                      .err = &err};
+  Status status;
+  if (point) *point = -1;
+  TRY(check_strain(batch, point, error));
+  TRY(law_says(law->id, law->eval(&arguments), &err, n, point, error));
+  TRY(check_finite(law->id, "phi", batch->phi, 1, n, ld, point, error));
+  TRY(check_finite(law->id, "dphi", batch->dphi, 2, n, ld, point, error));
+  TRY(check_finite(law->id, "d2phi", batch->d2phi, 3, n, ld, point, error));
+  TRY(check_finite(law->id, "state1", batch->state1, law->n_vars, n, ld, point, error));
+cleanup:
+  return status;
+}
+
+/* ---- The damage law ---- */
+
+/* Ymax1 = max(Ymax0, Y); says whether any point went beyond what it has seen (NaN counts as beyond). */
+static bool update_Ymax(ptrdiff_t n, const double *restrict Y, const double *restrict Ymax0,
+                        double *restrict Ymax1) {
+  uint64_t grown = 0;
+  for (ptrdiff_t i = 0; i < n; i++) {
+    Ymax1[i] = Y[i] <= Ymax0[i] ? Ymax0[i] : Y[i];
+    grown |= verdict(Y[i] <= Ymax0[i] ? 0.0 : 1.0);
+  }
+  return grown != 0;
+}
+
+/* d1 = min(d_max, max(d0, d1)) */
+static void confine(ptrdiff_t n, double d_max, const double *restrict d0, double *restrict d1) {
+  for (ptrdiff_t i = 0; i < n; i++) {
+    const double d = d1[i] > d0[i] ? d1[i] : d0[i];
+    d1[i] = d < d_max ? d : d_max;
+  }
+}
+
+/* The law's zeta at Ymax1 goes to d1, to be confined there. */
+static Status evolve(const Material *material, const DamageBatch *batch, ptrdiff_t *point, Error *error) {
+  const mlaw_damage *law = material->damage.damage;
+  const double *chan[MLAW_N_CHANNELS] = {[MLAW_Y] = batch->Ymax1};
+  mlaw_error err = {.point = -1};
+  const mlaw_damage_args arguments = {.size = sizeof arguments,
+                                      .n_channels = MLAW_N_CHANNELS,
+                                      .n = batch->n,
+                                      .ld = batch->ld,
+                                      .t = batch->t,
+                                      .dt = batch->dt,
+                                      .param = material->damage_field,
+                                      .chan = chan,
+                                      .d0 = batch->d0,
+                                      .zeta = batch->d1,
+                                      .err = &err};
+  Status status;
+  TRY(law_says(law->id, law->evolution(&arguments), &err, batch->n, point, error));
+  TRY(check_finite(law->id, "zeta", batch->d1, 1, batch->n, batch->ld, point, error));
+cleanup:
+  return status;
+}
+
+/* Rounding in a law may cost this much of d; more is a law that heals. */
+static const double DAMAGE_ROUNDING = 1e-12;
+
+static Status refuse_healing(const char *law, const DamageBatch *batch, ptrdiff_t *point, Error *error) {
+  for (ptrdiff_t i = 0; i < batch->n; i++) {
+    if (batch->d1[i] >= batch->d0[i] - DAMAGE_ROUNDING) continue;
+    if (point) *point = i;
+    return error_set(error, STATUS_FAILED,
+                     "law %s: expected damage that never falls, found %g after %g at point %td of the batch",
+                     law, batch->d1[i], batch->d0[i], i);
+  }
+  return STATUS_OK;
+}
+
+static Status step(const Material *material, const DamageBatch *batch, ptrdiff_t *point, Error *error) {
+  const mlaw_damage *law = material->damage.damage;
+  mlaw_error err = {.point = -1};
+  const mlaw_damage_args arguments = {.size = sizeof arguments,
+                                      .n_channels = MLAW_N_CHANNELS,
+                                      .n = batch->n,
+                                      .ld = batch->ld,
+                                      .t = batch->t,
+                                      .dt = batch->dt,
+                                      .param = material->damage_field,
+                                      .chan0 = batch->chan0,
+                                      .chan = batch->chan,
+                                      .d0 = batch->d0,
+                                      .state0 = batch->state0,
+                                      .state1 = batch->state1,
+                                      .d1 = batch->d1,
+                                      .err = &err};
+  Status status;
+  TRY(law_says(law->id, law->update(&arguments), &err, batch->n, point, error));
+  TRY(check_finite(law->id, "damage", batch->d1, 1, batch->n, batch->ld, point, error));
+  TRY(check_finite(law->id, "state1", batch->state1, law->n_vars, batch->n, batch->ld, point, error));
+  TRY(refuse_healing(law->id, batch, point, error));
+cleanup:
+  return status;
+}
+
+Status material_damage(const Material *material, const DamageBatch *batch, ptrdiff_t *point, Error *error) {
+  const mlaw_damage *law = material->damage.damage;
+  Status status;
+  if (point) *point = -1;
+  const bool grown = update_Ymax(batch->n, batch->chan[MLAW_Y], batch->Ymax0, batch->Ymax1);
+  if (law->evolution && !grown) { /* elastic or unloading everywhere: nothing to ask */
+    memcpy(batch->d1, batch->d0, (size_t)batch->n * sizeof *batch->d1);
+    return STATUS_OK;
+  }
+  TRY(check_finite("of the membrane", "Y", batch->chan[MLAW_Y], 1, batch->n, batch->ld, point, error));
+  TRY(law->evolution ? evolve(material, batch, point, error) : step(material, batch, point, error));
+  confine(batch->n, material->d_max, batch->d0, batch->d1);
+cleanup:
+  return status;
+}
+
+/* ---- Moduli at rest ---- */
+
+/* Differences about rest along (I1, I2) = (s, s), which is admissible for either sign of s: of fourth order,
+ * error about 1e-11. */
+enum { REST_POINTS = 5 };
+static const double REST_STEP = 1e-3;
+
+static double slope_at_rest(const mlaw_energy *law, const double *dphi, const double *d2phi) {
+  if (law->flags & MLAW_HESSIAN) return d2phi[0] + 2.0 * d2phi[REST_POINTS] + d2phi[2 * REST_POINTS];
+  double g[REST_POINTS];
+  for (int i = 0; i < REST_POINTS; i++) g[i] = dphi[i] + dphi[REST_POINTS + i];
+  return (g[1] - 8.0 * g[2] + 8.0 * g[3] - g[4]) / (12.0 * REST_STEP);
+}
+
+/* Laws that are not at rest at rest, or not stable there, are refused. */
+static Status check_rest(const Material *material, double phi, double tension, Error *error) {
+  const char *id = material->elastic.energy->id;
+  const double G = material->shear_modulus, K = material->dilatation_modulus;
+  if (!(G > 0.0 && K > 0.0)) {
+    return error_set(error, STATUS_INPUT,
+                     "law %s: expected positive moduli at rest, found G_s = %g and K_s = %g", id, G, K);
+  }
+  if (fabs(phi) > 1e-10 * G || fabs(tension) > 1e-10 * G) {
+    return error_set(error, STATUS_INPUT,
+                     "law %s: expected no energy and no tension at rest, found phi = %g and T = %g", id, phi,
+                     tension);
+  }
+  return STATUS_OK;
+}
+
+static Status measure_moduli(Material *material, Error *error) {
+  const mlaw_energy *law = material->elastic.energy;
+  const double h = REST_STEP, strain[REST_POINTS] = {0.0, -2.0 * h, -h, h, 2.0 * h};
+  double phi[REST_POINTS], dphi[2 * REST_POINTS], d2phi[3 * REST_POINTS];
+  double *state = NULL;
+  Status status;
+  TRY(ARRAY_NEW(&state, 2 * REST_POINTS * law->n_vars, error));
+  material_start_state(material, LAW_ENERGY, REST_POINTS, REST_POINTS, state);
+  const ElasticBatch batch = {.n = REST_POINTS,
+                              .ld = REST_POINTS,
+                              .I1 = strain,
+                              .I2 = strain,
+                              .state0 = law->n_vars ? state : NULL,
+                              .state1 = law->n_vars ? state + REST_POINTS * law->n_vars : NULL,
+                              .phi = phi,
+                              .dphi = dphi,
+                              .d2phi = law->flags & MLAW_HESSIAN ? d2phi : NULL};
+  TRY(material_elastic(material, &batch, NULL, error));
+  material->shear_modulus = 2.0 * dphi[0];
+  material->dilatation_modulus = 4.0 * slope_at_rest(law, dphi, d2phi) - material->shear_modulus;
+  TRY(check_rest(material, phi[0], 2.0 * (dphi[0] + dphi[REST_POINTS]), error));
+cleanup:
+  array_free(state);
+  return status;
+}
+
+/* ---- Set-up ---- */
+
+/* One law of the scene: found, and its parameters as values and as fields with stride 0. */
+static Status take_law(LoadedLaw *law, double **value, mlaw_field **field, LawKind kind,
+                       const SceneLaw *scene, const LawSearch *search, const LawScales *scales, Log *log,
+                       Error *error) {
+  Status status = law_load(law, kind, scene->law, search, error);
+  if (status != STATUS_OK) return law_place_error(&scene->place, error);
+  const LawDescription table = law_describe(law);
+  TRY(ARRAY_NEW(value, table.n_params, error));
+  TRY(ARRAY_NEW(field, table.n_params, error));
+  TRY(law_parameters(&table, scene, scales, log, *value, error));
+  for (uint32_t k = 0; k < table.n_params; k++) (*field)[k] = (mlaw_field){&(*value)[k], 0};
+cleanup:
+  return status;
+}
+
+Status material_new(Material *material, const Scene *scene, const LawSearch *search, const LawScales *scales,
+                    Log *log, Error *error) {
+  const SceneLaw *elastic = &scene->membrane.elastic, *damage = &scene->membrane.damage;
+  Status status;
+  *material = (Material){.d_max = scene->membrane.d_max};
+  TRY(take_law(&material->elastic, &material->elastic_parameter, &material->elastic_field, LAW_ENERGY,
+               elastic, search, scales, log, error));
+  status = measure_moduli(material, error);
+  if (status != STATUS_OK) {
+    law_place_error(&elastic->place, error);
+    goto cleanup;
+  }
+  if (damage->law) {
+    TRY(take_law(&material->damage, &material->damage_parameter, &material->damage_field, LAW_DAMAGE, damage,
+                 search, scales, log, error));
+  }
+cleanup:
+  if (status != STATUS_OK) material_free(material);
+  return status;
+}
+
+void material_free(Material *material) {
+  law_release(&material->elastic);
+  law_release(&material->damage);
+  array_free(material->elastic_parameter);
+  array_free(material->damage_parameter);
+  array_free(material->elastic_field);
+  array_free(material->damage_field);
+  *material = (Material){0};
+}
+
+unsigned material_channels(const Material *material) {
+  return material_has_damage(material) ? material->damage.damage->needs | 1u << MLAW_Y : 0;
+}
+
+bool material_has_damage(const Material *material) {
+  return material->damage.damage != NULL;
+}
+
+int material_elastic_vars(const Material *material) {
+  return (int)material->elastic.energy->n_vars;
+}
+
+int material_damage_vars(const Material *material) {
+  return material_has_damage(material) ? (int)material->damage.damage->n_vars : 0;
+}
+
+void material_start_state(const Material *material, LawKind kind, ptrdiff_t n, ptrdiff_t ld, double *state) {
+  const LawDescription law = law_describe(kind == LAW_ENERGY ? &material->elastic : &material->damage);
+  for (uint32_t k = 0; k < law.n_vars; k++) {
+    for (ptrdiff_t i = 0; i < n; i++) state[(ptrdiff_t)k * ld + i] = law_var(&law, k)->init;
+  }
+}

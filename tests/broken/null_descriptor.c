@@ -1,0 +1,4 @@
+/* Declines to serve. */
+#include "fixture.h"
+
+ENTRY(NULL)
