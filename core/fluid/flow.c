@@ -26,12 +26,11 @@ static void point_forward(double axis[3]) {
 }
 
 static void strain_axis(const double G[3][3], double axis[3]) {
-  double strain[3][3], value[3], vector[3][3];
+  const double strain[6] = {G[0][0], 0.5 * (G[0][1] + G[1][0]), 0.5 * (G[0][2] + G[2][0]),
+                            G[1][1], 0.5 * (G[1][2] + G[2][1]), G[2][2]};
+  double value[3], vector[3][3];
   Error ignored;
-  for (int i = 0; i < 3; i++) {
-    for (int j = 0; j < 3; j++) strain[i][j] = 0.5 * (G[i][j] + G[j][i]);
-  }
-  if (eigen_symmetric3((const double(*)[3])strain, value, vector, &ignored) == STATUS_OK) {
+  if (eigen_symmetric3(strain, value, vector, &ignored) == STATUS_OK) {
     memcpy(axis, vector[1], sizeof vector[1]);
   } else { /* a gradient that is not finite: any axis will do */
     memcpy(axis, (const double[3]){0, 1, 0}, 3 * sizeof(double));

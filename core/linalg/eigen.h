@@ -4,7 +4,8 @@
 
 #include "base/status.h"
 
-/* Eigenvalues in rising order and unit eigenvectors (vector[k] belongs to value[k]) of a symmetric matrix. */
-Status eigen_symmetric3(const double matrix[3][3], double value[3], double vector[3][3], Error *error);
+/* Eigenvalues in rising order and unit eigenvectors (vector[k] belongs to value[k]) of a symmetric matrix
+ * given as [xx, xy, xz, yy, yz, zz].  STATUS_REJECT when an entry is not finite. */
+Status eigen_symmetric3(const double matrix[6], double value[3], double vector[3][3], Error *error);
 
 #endif

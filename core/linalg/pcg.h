@@ -6,8 +6,10 @@
 #include "base/status.h"
 #include "linalg/sparse.h"
 
+/* Vectors of the iteration, [n][4]: the three systems side by side and a column of zeros, so that the four
+ * move as one vector of the machine. */
 typedef struct {
-  double *r, *z, *p, *Ap;   /* [n][3] each */
+  double *x, *r, *p, *Ap;
   double *inverse_diagonal; /* [n] */
   int n;
 } PcgWork;
@@ -17,9 +19,9 @@ void pcg_work_free(PcgWork *work);
 
 /* Solves A x = b, x and b [n][3]; x holds the start vector on entry.  Each of the three systems stops when
  * ||D^-1/2 (b - A x)|| <= tolerance * ||D^-1/2 b|| (D the diagonal of A), which keeps the true relative error
- * near `tolerance` since the scaled matrix is well conditioned on any mesh.  Sums run in a fixed order: the
- * result does not depend on the number of threads.  STATUS_REJECT when not converged in max_iterations or
- * when A is not positive. */
+ * near `tolerance` since the scaled matrix is well conditioned on any mesh.  `iterations` counts those of the
+ * slowest system.  Runs on one thread, sums in a fixed order.  STATUS_REJECT, with x as it was, when not
+ * converged in max_iterations, when A is not positive or a value is not finite. */
 Status pcg_solve3(const SparseMatrix *matrix, const double *b, double *x, double tolerance,
                   int max_iterations, PcgWork *work, int *iterations, Error *error);
 
