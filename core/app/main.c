@@ -1,9 +1,52 @@
 /* The program: picks the subcommand. */
+#include "app/commands.h"
+#include "base/text.h"
 #include <stdio.h>
+#include <string.h>
+
+static const struct {
+  const char *name;
+  int (*run)(int argc, char **argv);
+  const char *about;
+} COMMANDS[] = {
+    {"run", command_run, "run a scene: deformation, damage and rupture of a capsule"},
+    {"manual", command_manual, "print every key of a scene file (Markdown)"},
+};
+enum { N_COMMANDS = sizeof COMMANDS / sizeof *COMMANDS };
+
+int exit_code(Status status) {
+  if (status == STATUS_OK) return EXIT_DONE;
+  return status == STATUS_INPUT ? EXIT_INPUT : EXIT_FAILED;
+}
+
+static void print_help(void) {
+  puts("Capsella computes how a microcapsule deforms, is damaged and ruptures in a viscous flow.\n\n"
+       "usage: capsella COMMAND [ARGUMENTS]\n");
+  for (size_t i = 0; i < N_COMMANDS; i++) printf("  %-8s %s\n", COMMANDS[i].name, COMMANDS[i].about);
+  puts("\n  capsella COMMAND --help   what a command takes\n"
+       "  capsella --version        version");
+}
+
+static int unknown_command(const char *name) {
+  const char *names[N_COMMANDS];
+  for (size_t i = 0; i < N_COMMANDS; i++) names[i] = COMMANDS[i].name;
+  const char *nearest = text_nearest(name, names, N_COMMANDS);
+  fprintf(stderr, "capsella: expected a command, found '%s'", name);
+  if (nearest) fprintf(stderr, "; did you mean '%s'?", nearest);
+  fprintf(stderr, "\nTry: capsella --help\n");
+  return EXIT_INPUT;
+}
 
 int main(int argc, char **argv) {
-  (void)argc;
-  (void)argv;
-  puts("capsella " CAPSELLA_VERSION);
-  return 0;
+  if (argc < 2 || strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0) {
+    print_help();
+    return argc < 2 ? EXIT_INPUT : EXIT_DONE;
+  }
+  if (strcmp(argv[1], "--version") == 0) {
+    puts("capsella " CAPSELLA_VERSION);
+    return EXIT_DONE;
+  }
+  for (size_t i = 0; i < N_COMMANDS; i++)
+    if (strcmp(argv[1], COMMANDS[i].name) == 0) return COMMANDS[i].run(argc - 1, argv + 1);
+  return unknown_command(argv[1]);
 }

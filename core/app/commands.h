@@ -1,0 +1,15 @@
+/* The subcommands: each gets its own name as argv[0] and returns the exit code. */
+#ifndef CAPSELLA_APP_COMMANDS_H
+#define CAPSELLA_APP_COMMANDS_H
+
+#include "base/status.h"
+
+enum { EXIT_DONE = 0, EXIT_FAILED = 1, EXIT_INPUT = 2 };
+
+int command_run(int argc, char **argv);
+int command_manual(int argc, char **argv);
+
+/* 2 when the input is wrong, 1 when something else failed, 0 when nothing did. */
+int exit_code(Status status);
+
+#endif
