@@ -78,16 +78,13 @@ static void history_free(MembraneHistory *history) {
 /* History variables start at the values that their law declares, channels at those of the undeformed
  * membrane. */
 static void history_start(MembraneHistory *history, const Membrane *m) {
-  const size_t n = (size_t)m->n_points;
-  for (int v = 0; v < material_elastic_vars(m->material); v++)
-    for (size_t k = 0; k < n; k++)
-      history->elastic_state[(size_t)v * n + k] = material_elastic_initial(m->material, v);
-  for (int v = 0; v < material_damage_vars(m->material); v++)
-    for (size_t k = 0; k < n; k++)
-      history->damage_state[(size_t)v * n + k] = material_damage_initial(m->material, v);
+  if (history->elastic_state)
+    material_start_state(m->material, LAW_ENERGY, m->n_points, m->n_points, history->elastic_state);
+  if (history->damage_state)
+    material_start_state(m->material, LAW_DAMAGE, m->n_points, m->n_points, history->damage_state);
   for (int c = MLAW_L1; c <= MLAW_L2; c++)
     if (history->channel[c])
-      for (size_t k = 0; k < n; k++) history->channel[c][k] = 1;
+      for (int k = 0; k < m->n_points; k++) history->channel[c][k] = 1;
 }
 
 static Status channels_new(Membrane *m, Error *error) {
