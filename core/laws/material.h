@@ -64,9 +64,6 @@ unsigned material_channels(const Material *material);
 bool material_has_damage(const Material *material);
 int material_elastic_vars(const Material *material); /* history variables per point */
 int material_damage_vars(const Material *material);
-double material_elastic_initial(const Material *material,
-                                int var); /* value of a history variable at the start */
-double material_damage_initial(const Material *material, int var);
 
 /* state [n_vars][ld]: the history variables of one of the laws at the start of a run. */
 void material_start_state(const Material *material, LawKind kind, ptrdiff_t n, ptrdiff_t ld, double *state);
