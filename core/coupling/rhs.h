@@ -10,6 +10,9 @@ typedef struct {
   int n;
   void *context;
   Status (*evaluate)(void *context, const double *x, double t, double dt, double *f, Error *error);
+  /* Moves x [n] onto the invariants of the equation, by no more than the error of a step; NULL: there are
+   * none. */
+  void (*constrain)(void *context, double *x);
 } Rhs;
 
 #endif

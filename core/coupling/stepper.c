@@ -120,6 +120,7 @@ static Status try_step(Stepper *s, double t1, Error *error) {
   if (stages == 0)
     stages = s->integrator->max_stages; /* a fixed step, allowed by the user or within the margin */
   TRY(s->integrator->step(&s->rhs, stages, s->memory.t, h, s->x, s->v, s->x1, s->work, error));
+  if (s->rhs.constrain) s->rhs.constrain(s->rhs.context, s->x1);
   TRY(s->rhs.evaluate(s->rhs.context, s->x1, s->memory.t, h, s->v1, error));
 cleanup:
   return status;
@@ -188,6 +189,7 @@ void stepper_interpolate(const Stepper *s, double t, double *x, double *v) {
     x[i] = a0 * s->x[i] + a1 * s->x1[i] + b0 * s->v[i] + b1 * s->v1[i];
     if (v) v[i] = da * (s->x[i] - s->x1[i]) + db0 * s->v[i] + db1 * s->v1[i];
   }
+  if (s->rhs.constrain) s->rhs.constrain(s->rhs.context, x);
 }
 
 void stepper_shorten(Stepper *s, double t) {

@@ -21,7 +21,9 @@ typedef struct {
   SingleLayer *layer;
   const Flow *flow;
   double mobility;  /* 1 / (Ca G_s) */
-  bool remove_flux; /* subtract c n with int v . n dS = 0, so that the enclosed volume stays */
+  bool keep_volume; /* subtract c n from v so that int v . n dS = 0, and move the end of a step back onto
+                       volume0 */
+  double volume0;   /* enclosed by the initial surface */
   double *R,
       *q; /* [n_nodes][3] internal force and load of the last evaluation; q starts the next mass solve */
   double *u, *normal, *area_vector; /* [n_nodes][3] scratch */
@@ -30,11 +32,14 @@ typedef struct {
 
 /* Allocates the arrays; the parts must outlive the system. */
 Status system_new(CoupledSystem *system, const Mesh *mesh, Membrane *membrane, SingleLayer *layer,
-                  const Flow *flow, double mobility, bool remove_flux, Error *error);
+                  const Flow *flow, double mobility, bool keep_volume, Error *error);
 void system_free(CoupledSystem *system);
 
 /* v [n_nodes][3] at positions x and time t + dt; the membrane holds the trial history that belongs to it. */
 Status system_velocity(CoupledSystem *system, const double *x, double t, double dt, double *v, Error *error);
+
+/* Moves x along the normals until it encloses volume0; does nothing when the volume is not kept. */
+void system_constrain(CoupledSystem *system, double *x);
 
 Rhs system_rhs(CoupledSystem *system);
 
