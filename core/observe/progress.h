@@ -30,7 +30,7 @@ void progress_start(Progress *progress, FILE *stream, bool quiet, double t_start
 /* After each accepted step; draws on a terminal only. */
 void progress_step(Progress *progress, const ProgressState *state);
 
-/* After each row of the history; a plain line elsewhere, a redraw on a terminal. */
+/* After each row of the history; a plain line elsewhere, as progress_step on a terminal. */
 void progress_sample(Progress *progress, const ProgressState *state);
 
 /* Clears the line on a terminal, so that a message can be printed; the next call draws it anew. */

@@ -46,13 +46,16 @@ Status snapshot_path(Text *path, const char *folder, int number, Error *error);
 /* Writes under a temporary name, syncs and renames: readers see the whole file or none. */
 Status snapshot_write(const char *path, const Snapshot *snapshot, Error *error);
 
-/* Fills the items from the file, all or (on failure) none.  STATUS_IO: missing, cut-off, altered, of another
- * format version.  STATUS_INPUT: whole, but an item is missing, of another type or of another count, or the
- * file holds one that is not in the list: it belongs to another scene. */
+/* Fills the items from the file; none is touched before all have been checked.  STATUS_IO: missing, cut-off,
+ * altered, of another format version.  STATUS_INPUT: whole, but an item is missing, of another type or of
+ * another count, or the file holds one that is not in the list: it belongs to another scene. */
 Status snapshot_read_restart(const char *path, const RestartItem *items, size_t n_items, Error *error);
 
 /* The resolved scene (appended to `scene`) and the time; either may be NULL. */
 Status snapshot_read_scene(const char *path, Text *scene, double *t, Error *error);
+
+/* Numbers of the snapshots in a folder by their names, rising, whole or not; freed with array_free. */
+Status snapshot_list(const char *folder, int **numbers, size_t *count, Error *error);
 
 /* The newest whole snapshot of a folder: its path appended to `path` and its number; number is -1 when there
  * is none.  A newer one that is damaged is skipped with a warning in the log (may be NULL). */

@@ -1,0 +1,85 @@
+/* The summary as JSON; the figures come from the run. */
+#include "observe/summary.h"
+
+#include "base/file.h"
+#include "observe/json.h"
+
+const char *outcome_name(Outcome outcome) {
+  static const char *const name[] = {"steady", "end", "ruptured", "failed", "interrupted"};
+  return name[outcome];
+}
+
+static void put_places(Json *json, const double X[3], const double x[3]) {
+  json_numbers(json, "X", X, 3);
+  json_numbers(json, "x", x, 3);
+}
+
+static void put_shape(Json *json, const Summary *summary) {
+  json_number(json, "D12", summary->D12);
+  json_number(json, "beta", summary->beta);
+  json_number(json, "L1", summary->L1);
+  json_number(json, "L2", summary->L2);
+  json_number(json, "L3", summary->L3);
+  json_number(json, "area_strain", summary->area_strain);
+  json_number(json, "volume_error", summary->volume_error);
+  json_number(json, "volume_error_max", summary->volume_error_max);
+}
+
+static void put_damage(Json *json, const Summary *summary) {
+  json_number(json, "d_max", summary->d_max);
+  if (summary->d_max > 0) {
+    json_open_object(json, "d_max_location");
+    put_places(json, summary->d_max_location.X, summary->d_max_location.x);
+    json_close(json);
+  } else {
+    json_null(json, "d_max_location");
+  }
+  json_number(json, "Y_max", summary->Y_max);
+  json_number(json, "t_c", summary->t_c);
+  json_number(json, "t_l", summary->t_l);
+  if (!summary->has_rupture) {
+    json_null(json, "rupture");
+    return;
+  }
+  json_open_object(json, "rupture");
+  put_places(json, summary->rupture.X, summary->rupture.x);
+  json_number(json, "angle_to_vorticity_deg", summary->rupture.angle_to_vorticity_deg);
+  json_number(json, "angle_to_major_axis_deg", summary->rupture.angle_to_major_axis_deg);
+  json_number(json, "damaged_area_fraction", summary->rupture.damaged_area_fraction);
+  json_close(json);
+}
+
+static void put_cost(Json *json, const Summary *summary) {
+  json_integer(json, "steps", summary->steps);
+  json_integer(json, "rejected_steps", summary->rejected_steps);
+  json_integer(json, "evaluations", summary->evaluations);
+  json_number(json, "wall_seconds", summary->wall_seconds);
+  json_integer(json, "threads", summary->threads);
+  json_integer(json, "elements", summary->elements);
+  json_integer(json, "nodes", summary->nodes);
+}
+
+Status summary_print(const Summary *summary, Text *text, Error *error) {
+  Json json;
+  json_begin(&json, text, error);
+  json_open_object(&json, NULL);
+  json_string(&json, "status", outcome_name(summary->status));
+  json_number(&json, "t", summary->t);
+  put_shape(&json, summary);
+  put_damage(&json, summary);
+  json_number(&json, "energy_error_max", summary->energy_error_max);
+  put_cost(&json, summary);
+  json_open_array(&json, "skipped");
+  for (size_t k = 0; k < summary->n_skipped; k++) json_string(&json, NULL, summary->skipped[k]);
+  json_close(&json);
+  json_close(&json);
+  return json_end(&json);
+}
+
+Status summary_write(const Summary *summary, const char *path, Error *error) {
+  Text text = {0};
+  Status status = summary_print(summary, &text, error);
+  if (status == STATUS_OK) status = file_write(path, text.data, text.length, error);
+  text_free(&text);
+  return status;
+}
