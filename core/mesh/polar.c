@@ -30,10 +30,12 @@ static int triangle_points(const PolarGauss *gauss, const double g[3], const dou
   double Theta = atan2(sine_sides, metric_product(g, a, b));
   double length_a = sqrt(metric_product(g, a, a)), length_b = sqrt(metric_product(g, b, b));
   double sine_Theta = sine_sides / (length_a * length_b);
+  double sine[POLAR_MAX_ANGULAR]; /* of t; Gauss points are symmetric, so that of Theta - t is the mirrored
+                                     one */
+  for (int i = 0; i < gauss->n_angular; i++) sine[i] = sin(Theta * gauss->angle[i]);
   int n = 0;
   for (int i = 0; i < gauss->n_angular; i++) {
-    double t = Theta * gauss->angle[i];
-    double share_a = sin(Theta - t) / length_a, share_b = sin(t) / length_b;
+    double share_a = sine[gauss->n_angular - 1 - i] / length_a, share_b = sine[i] / length_b;
     double s = share_a + share_b;
     double distance = sine_Theta / s;
     double ray_weight = gauss->angle_weight[i] * Theta * distance * distance / jacobian;

@@ -60,7 +60,7 @@ START_TEST(known_solution_is_found_to_the_tolerance) {
   for (int k = 0; k < 3; k++) {
     memset(problem.x, 0, (size_t)problem.size * sizeof *problem.x);
     problem_solve(&problem, tolerance[k]);
-    /* the scaled matrix has a condition number near 10, and single nodes exceed the mean error */
+    /* the scaled matrix has a condition number of 5, and single nodes exceed the mean error */
     ck_assert_double_lt(problem_error(&problem), 10.0 * tolerance[k]);
   }
   problem_free(&problem);
