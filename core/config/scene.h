@@ -8,21 +8,10 @@
 
 #include "base/status.h"
 #include "base/text.h"
+#include "config/place.h"
+#include "config/units.h"
 #include <stdbool.h>
 #include <stddef.h>
-
-/* A quantity as written: a bare number is dimensionless; "0.1 N/m" carries SI value and exponents. */
-typedef struct {
-  double value; /* SI when has_unit, as written otherwise */
-  bool has_unit;
-  signed char dim[4]; /* powers of mass, length, time, 0 */
-} Quantity;
-
-/* Where a value stands, for messages that come later (a law that is not found, a parameter out of range). */
-typedef struct {
-  const char *file; /* owned by the scene */
-  int line, column; /* 0: not from a file (a default) */
-} SourcePlace;
 
 typedef struct {
   char *name;
@@ -38,6 +27,7 @@ typedef struct {
   size_t n_parameters;
 } SceneLaw;
 
+typedef enum { SHAPE_SPHERE } CapsuleShape;
 typedef enum { MASS_PCG, MASS_UMFPACK } MassSolver;
 typedef enum {
   FLOW_SIMPLE_SHEAR,       /* v = z e_x */
@@ -53,8 +43,13 @@ typedef enum { SYMMETRY_AUTO, SYMMETRY_OFF } SymmetryChoice;
 typedef enum { FLUID_FAST, FLUID_DIRECT, FLUID_REFERENCE } FluidMethod;
 
 typedef struct {
-  char *file; /* as given on the command line, for messages */
+  char *file;     /* as given on the command line, for messages */
+  char **sources; /* [n_sources] the "--set KEY=VALUE" that places name */
+  size_t n_sources;
+
+  int schema; /* version of the scene format: 1 */
   char *name;
+  CapsuleShape shape;
 
   struct {
     int subdivisions;
@@ -64,7 +59,8 @@ typedef struct {
 
   struct {
     SceneLaw elastic;
-    SceneLaw damage; /* damage.law == NULL: purely elastic */
+    bool has_damage; /* membrane.damage was given: damage.law is not NULL */
+    SceneLaw damage;
     double d_max;
     MassSolver mass_solver;
   } membrane;
@@ -105,9 +101,14 @@ typedef struct {
 } Scene;
 
 /* Reads, checks and completes a scene.  `sets` are "key.path=value" strings that replace or add to what the
- * file says, in order, as if written there.  Errors are STATUS_INPUT with "file:line:column: expected,
- * found". */
+ * file says, in order, as if written there; an empty value removes the key.  Errors are STATUS_INPUT with
+ * "file:line:column: expected, found". */
 Status scene_read(Scene *scene, const char *path, const char *const *sets, size_t n_sets, Error *error);
+
+/* The same from text in memory; `file` is the name used in messages. */
+Status scene_read_text(Scene *scene, const char *file, const char *bytes, size_t length,
+                       const char *const *sets, size_t n_sets, Error *error);
+
 void scene_free(Scene *scene);
 
 /* The whole scene as YAML with every default: reads back to the same numbers.  `comments` (may be NULL) are

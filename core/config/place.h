@@ -1,0 +1,15 @@
+/* Where a value of a scene stands, and messages that say so. */
+#ifndef CAPSELLA_CONFIG_PLACE_H
+#define CAPSELLA_CONFIG_PLACE_H
+
+#include "base/status.h"
+
+typedef struct {
+  const char *file; /* the file as given on the command line, or "--set KEY=VALUE"; owned by the scene */
+  int line, column; /* from 1, in characters; 0 for a --set */
+} SourcePlace;
+
+/* STATUS_INPUT with "file:line:column: " (or "--set KEY=VALUE: ") in front of the message. */
+Status place_error(const SourcePlace *place, Error *error, const char *format, ...) PRINTF_LIKE(3, 4);
+
+#endif
