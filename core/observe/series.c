@@ -69,6 +69,7 @@ cleanup:
   return status;
 }
 
+/* `Triangle_6` is the name that XDMF 2 and 3 share; its node order is that of mesh.h. */
 static Status print_grid(Text *xml, const SeriesEntry *entry, const Snapshot *snapshot, Error *error) {
   Status status;
   const Mesh *mesh = snapshot->mesh;
@@ -80,7 +81,7 @@ static Status print_grid(Text *xml, const SeriesEntry *entry, const Snapshot *sn
       xml, error,
       "      <Grid Name=\"capsule\" GridType=\"Uniform\">\n"
       "        <Time Value=\"%s\"/>\n"
-      "        <Topology TopologyType=\"Tri_6\" NumberOfElements=\"%d\">\n"
+      "        <Topology TopologyType=\"Triangle_6\" NumberOfElements=\"%d\">\n"
       "          <DataItem Format=\"HDF\" NumberType=\"Int\" Precision=\"8\" Dimensions=\"%d\">"
       "%s:/VTKHDF/Connectivity</DataItem>\n"
       "        </Topology>\n"
@@ -112,7 +113,7 @@ cleanup:
   return status;
 }
 
-/* --- snapshots.vtkhdf.series --- */
+/* --- snapshots.hdf.series --- */
 
 static Status print_file_series(const Series *series, Text *text, Error *error) {
   Json json;
@@ -153,7 +154,7 @@ Status series_add(Series *series, const char *folder, int number, const Snapshot
   TRY(print_xdmf(series, snapshot, &xdmf, error));
   TRY(write_text(folder, "series.xdmf", &xdmf, error));
   TRY(print_file_series(series, &file_series, error));
-  TRY(write_text(folder, "snapshots.vtkhdf.series", &file_series, error));
+  TRY(write_text(folder, "snapshots.hdf.series", &file_series, error));
 cleanup:
   text_free(&file_series);
   text_free(&xdmf);

@@ -1,5 +1,6 @@
 /* series.xdmf: the snapshots of a folder as one time series (XDMF 3, quadratic triangles, data in the vtkhdf
- * files), and snapshots.vtkhdf.series, the same list for ParaView's own reader of VTKHDF files.
+ * files), and snapshots.hdf.series, the same list for ParaView's own reader of VTKHDF files (the name that
+ * ParaView 5.11 knows; later ones know it too).
  *
  * Both are rewritten whole after each snapshot and name files relative to their own folder, which may be
  * moved. */

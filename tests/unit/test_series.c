@@ -46,7 +46,7 @@ START_TEST(the_xdmf_refers_to_the_datasets_of_each_snapshot) {
   added(&series, 1, 0.1);
   Text xdmf = content("series.xdmf");
   ck_assert_int_eq(occurrences(&xdmf, "<Grid Name=\"capsule\""), 2);
-  ck_assert_int_eq(occurrences(&xdmf, "<Topology TopologyType=\"Tri_6\" NumberOfElements=\"20\">"), 2);
+  ck_assert_int_eq(occurrences(&xdmf, "<Topology TopologyType=\"Triangle_6\" NumberOfElements=\"20\">"), 2);
   const char *const parts[] = {
       "<Time Value=\"0\"/>",
       "<Time Value=\"0.1\"/>",
@@ -67,7 +67,7 @@ START_TEST(the_file_series_lists_names_and_times) {
   Series series = {0};
   added(&series, 0, 0);
   added(&series, 1, 0.1);
-  Text list = content("snapshots.vtkhdf.series");
+  Text list = content("snapshots.hdf.series");
   ck_assert_str_eq(list.data, "{\n"
                               "  \"file-series-version\": \"1.0\",\n"
                               "  \"files\": [\n"
