@@ -158,7 +158,7 @@ static Status not_found(const Attempt *attempt, const char *request, const LawSe
   if (nearest && strcmp(nearest, request) == 0) nearest = NULL; /* such a file is there: see the report */
   error_set(error, STATUS_INPUT, "expected the %s law `%s`, found none that can be used%s%s%s; tried%s:%s",
             law_kind_name(attempt->kind), request, nearest ? " (did you mean `" : "", nearest ? nearest : "",
-            nearest ? "`?)" : "", attempt->done ? "" : " (MLAW_PLUGIN_PATH adds folders)",
+            nearest ? "`?)" : "", attempt->done || attempt->by_path ? "" : " (MLAW_PLUGIN_PATH adds folders)",
             attempt->tried.data ? attempt->tried.data : " nothing, for lack of folders");
   status = STATUS_INPUT;
 cleanup:

@@ -279,6 +279,7 @@ Status material_new(Material *material, const Scene *scene, const LawSearch *sea
                     Log *log, Error *error) {
   const SceneLaw *elastic = &scene->membrane.elastic, *damage = &scene->membrane.damage;
   Status status;
+  if (!scene->flow.is_physical) scales = NULL; /* a quantity with a unit has no meaning here */
   *material = (Material){.d_max = scene->membrane.d_max};
   TRY(take_law(&material->elastic, &material->elastic_parameter, &material->elastic_field, LAW_ENERGY,
                elastic, search, scales, log, error));

@@ -25,15 +25,16 @@ typedef struct {
 } Material;
 
 /* Loads both laws of the scene, fills parameters (convert units -> hard range -> law's own check ->
- * calibrated range, a warning in `log`), and measures the moduli at rest. */
+ * calibrated range, a warning in `log`), and measures the moduli at rest, which must be those of a stable,
+ * stress-free membrane.  `scales` are used when flow.is_physical. */
 Status material_new(Material *material, const Scene *scene, const LawSearch *search, const LawScales *scales,
                     Log *log, Error *error);
 void material_free(Material *material);
 
-/* A batch of points handed to the elastic law: I1, I2 [n] in; phi [n] and dphi [2][ld] out (dphi may be
- * NULL). state0/state1 [n_vars][ld], NULL when the law has no variables.  STATUS_REJECT when the law refuses
- * a point or returns a value that is not finite; STATUS_FAILED when it says stop.  `point` (may be NULL)
- * receives the failing one. */
+/* A batch of points handed to the elastic law: I1, I2 [n] in; phi [n], dphi [2][ld] and d2phi [3][ld] out
+ * (each may be NULL; d2phi is for laws with MLAW_HESSIAN only). state0/state1 [n_vars][ld], NULL when the law
+ * has no variables.  STATUS_REJECT when the law refuses a point or returns a value that is not finite;
+ * STATUS_FAILED when it says stop.  `point` (may be NULL) receives the failing one. */
 typedef struct {
   ptrdiff_t n, ld;
   double t, dt;

@@ -20,9 +20,17 @@ static const char *unit_name(const signed char dim[4], char *buffer, size_t size
   static const struct {
     signed char dim[3];
     const char *name;
-  } known[] = {{{0, 0, 0}, "a number"}, {{1, 0, -2}, "N/m"}, {{1, -1, -2}, "Pa"}, {{1, 1, -2}, "N"},
-               {{1, 2, -2}, "J"},       {{0, 1, 0}, "m"},    {{0, 0, 1}, "s"},    {{0, 0, -1}, "1/s"},
-               {{1, -1, -1}, "Pa s"},   {{1, 0, 0}, "kg"},   {{0, 1, -1}, "m/s"}};
+  } known[] = {{{0, 0, 0}, "a number without unit"},
+               {{1, 0, -2}, "N/m"},
+               {{1, -1, -2}, "Pa"},
+               {{1, 1, -2}, "N"},
+               {{1, 2, -2}, "J"},
+               {{0, 1, 0}, "m"},
+               {{0, 0, 1}, "s"},
+               {{0, 0, -1}, "1/s"},
+               {{1, -1, -1}, "Pa s"},
+               {{1, 0, 0}, "kg"},
+               {{0, 1, -1}, "m/s"}};
   for (size_t k = 0; k < sizeof known / sizeof *known; k++) {
     if (memcmp(known[k].dim, dim, sizeof known[k].dim) == 0) return known[k].name;
   }
@@ -32,12 +40,17 @@ static const char *unit_name(const signed char dim[4], char *buffer, size_t size
 
 static Status without_unit(const mlaw_param *param, const Quantity *quantity, const LawScales *scales,
                            double *value, Error *error) {
+  char buffer[64];
   *value = quantity->value;
   if (!quantity->has_unit) return STATUS_OK;
   if (memcmp(param->dim, quantity->dim, 3) != 0) {
-    char buffer[64];
-    return error_set(error, STATUS_INPUT, "parameter %s: expected %s, found %s", param->name,
+    return error_set(error, STATUS_INPUT, "expected %s, found %s",
                      strcmp(param->unit, "1") == 0 ? "a number without unit" : param->unit,
+                     unit_name(quantity->dim, buffer, sizeof buffer));
+  }
+  if (!scales) {
+    return error_set(error, STATUS_INPUT,
+                     "expected a number without unit, since the scene gives no physical scales, found %s",
                      unit_name(quantity->dim, buffer, sizeof buffer));
   }
   *value /= pow(scales->mass, param->dim[0]) * pow(scales->length, param->dim[1]) *
@@ -47,16 +60,22 @@ static Status without_unit(const mlaw_param *param, const Quantity *quantity, co
 
 /* ---- Ranges ---- */
 
-static Status check_range(const LawDescription *law, const mlaw_param *param, double value, Error *error) {
+static Status check_range(const mlaw_param *param, double value, Error *error) {
   const bool open_lo = param->flags & MLAW_OPEN_LO, open_hi = param->flags & MLAW_OPEN_HI;
-  const bool above = open_lo ? value > param->lo : value >= param->lo;
-  const bool below = open_hi ? value < param->hi : value <= param->hi;
-  if (isfinite(value) && above && below) return STATUS_OK;
-  const char *bound = isfinite(value) ? (!above ? (open_lo ? "more than " : "at least ")
-                                                : (open_hi ? "less than " : "at most "))
-                                      : "a finite number near ";
-  return error_set(error, STATUS_INPUT, "parameter %s of law %s: expected %s%g, found %g", param->name,
-                   law->id, bound, isfinite(value) ? (!above ? param->lo : param->hi) : param->value, value);
+  const bool below = open_lo ? value <= param->lo : value < param->lo;
+  const bool above = open_hi ? value >= param->hi : value > param->hi;
+  if (!isfinite(value)) {
+    error_set(error, STATUS_INPUT, "expected a finite number, found %g", value);
+  } else if (below) {
+    error_set(error, STATUS_INPUT, "expected %s %g, found %g", open_lo ? "more than" : "at least", param->lo,
+              value);
+  } else if (above) {
+    error_set(error, STATUS_INPUT, "expected %s %g, found %g", open_hi ? "less than" : "at most", param->hi,
+              value);
+  } else {
+    return STATUS_OK;
+  }
+  return error->code;
 }
 
 static void warn_outside_calibration(const LawDescription *law, const mlaw_param *param, double value,
@@ -78,21 +97,25 @@ static const SceneParameter *find_in_scene(const SceneLaw *scene, const char *na
   return NULL;
 }
 
+static Status require(const LawDescription *law, const mlaw_param *param, Error *error) {
+  if (!(param->flags & MLAW_REQUIRED)) return STATUS_OK;
+  return error_set(error, STATUS_INPUT, "law %s: expected the parameter %s (%s; unit %s), found none",
+                   law->id, param->name, param->about, param->unit);
+}
+
 static Status fill_in(const LawDescription *law, const SceneLaw *scene, uint32_t k, const LawScales *scales,
                       double *value, Error *error) {
   const mlaw_param *param = law_param(law, k);
   const SceneParameter *given = find_in_scene(scene, param->name);
-  Status status = STATUS_OK;
-  if (given) {
-    status = without_unit(param, &given->value, scales, value, error);
-  } else if (param->flags & MLAW_REQUIRED) {
-    status = error_set(error, STATUS_INPUT, "law %s: expected the parameter %s (%s; unit %s), found none",
-                       law->id, param->name, param->about, param->unit);
-  } else {
+  if (!given) {
     *value = param->value;
+    return require(law, param, error) == STATUS_OK ? STATUS_OK : law_place_error(&scene->place, error);
   }
-  if (status == STATUS_OK) status = check_range(law, param, *value, error);
-  return status == STATUS_OK ? status : law_place_error(given ? &given->place : &scene->place, error);
+  Status status = without_unit(param, &given->value, scales, value, error);
+  if (status == STATUS_OK) status = check_range(param, *value, error);
+  if (status == STATUS_OK) return STATUS_OK;
+  error_prefix(error, "parameter %s of law %s: ", param->name, law->id);
+  return law_place_error(&given->place, error);
 }
 
 static Status refuse_unknown(const LawDescription *law, const SceneParameter *given, Error *error) {

@@ -1,0 +1,87 @@
+/* TEMPLATE of a damage law of the explicit kind: damage is a function of the largest Y so far.
+ * energy_law.c says how to build, check and use it.  Here the hardening grows with damage:
+ *
+ *     f(Y; d) = Y - kappa(d) <= 0,   kappa(d) = Y_D + Y_C (d + d^2)/2,   full damage at Y_D + Y_C
+ *     zeta(Y) = kappa^-1(Y) = (sqrt(1 + 8 x) - 1)/2,   x = (Y - Y_D)/Y_C
+ *
+ * The host keeps the largest Y, lets d only grow, and caps it; a law never does. */
+#include <math.h>
+#include <mlaw/mlaw.h>
+
+enum { Y_D, Y_C, N_PARAMS };
+
+static const mlaw_param params[N_PARAMS] = {
+    [Y_D] = {.name = "Y_D",
+             .unit = "N/m",
+             .about = "energy release rate at which damage starts",
+             .dim = {1, 0, -2},
+             .flags = MLAW_REQUIRED, /* no default: a scene must say it */
+             .lo = 0.0,
+             .hi = INFINITY,
+             .ok_lo = 0.0,
+             .ok_hi = INFINITY},
+    [Y_C] = {.name = "Y_C",
+             .unit = "N/m",
+             .about = "hardening: rupture at Y_D + Y_C",
+             .dim = {1, 0, -2},
+             .flags = MLAW_REQUIRED | MLAW_OPEN_LO,
+             .lo = 0.0,
+             .hi = INFINITY,
+             .ok_lo = 0.0,
+             .ok_hi = INFINITY},
+};
+
+/* f at (Y, d0): negative inside the elastic domain. */
+static int threshold(const mlaw_damage_args *a) {
+  const double *Y = a->chan[MLAW_Y], *d = a->d0;
+  const mlaw_field y_d = a->param[Y_D], y_c = a->param[Y_C];
+  double *restrict f = a->f;
+  for (ptrdiff_t i = 0; i < (ptrdiff_t)a->n; i++)
+    f[i] = Y[i] - mlaw_at(y_d, i) - 0.5 * mlaw_at(y_c, i) * (d[i] + d[i] * d[i]);
+  return MLAW_OK;
+}
+
+/* zeta at Y: the d at which f(Y; d) = 0.  Below 0 and above 1 the host clips it; it must be finite everywhere
+ * and never fall with Y.  `dzeta` may be NULL. */
+static int evolution(const mlaw_damage_args *a) {
+  const double *Y = a->chan[MLAW_Y];
+  const mlaw_field y_d = a->param[Y_D], y_c = a->param[Y_C];
+  for (ptrdiff_t i = 0; i < (ptrdiff_t)a->n; i++) {
+    const double x = (Y[i] - mlaw_at(y_d, i)) / mlaw_at(y_c, i);
+    const double root = sqrt(1.0 + 8.0 * (x > 0.0 ? x : 0.0));
+    a->zeta[i] = x > 0.0 ? 0.5 * (root - 1.0) : 2.0 * x;
+    if (a->dzeta) a->dzeta[i] = 2.0 / (root * mlaw_at(y_c, i));
+  }
+  return MLAW_OK;
+}
+
+static const mlaw_damage law = {
+    .size = sizeof(mlaw_damage),
+    .id = "acme.hardening",
+    .title = "Damage with hardening that grows with damage",
+    .source = "say here where the law comes from: paper and equation",
+    .params = params,
+    .n_params = N_PARAMS,
+    .param_size = sizeof(mlaw_param),
+    .needs = 1u << MLAW_Y,
+    .threshold = threshold,
+    .evolution = evolution,
+};
+
+static const mlaw_damage *const laws[] = {&law};
+
+static const mlaw_plugin plugin = {
+    .size = sizeof(mlaw_plugin),
+    .abi_minor = MLAW_ABI_MINOR,
+    .id = "acme.hardening",
+    .version = "1.0",
+    .license = "MIT",
+    .author = "you",
+    .n_damage = 1,
+    .damage = laws,
+};
+
+const mlaw_plugin *mlaw_plugin_v1(uint32_t host_minor) {
+  (void)host_minor;
+  return &plugin;
+}
