@@ -1,0 +1,133 @@
+/* The ellipsoid of inertia, from moments of the enclosed volume by the divergence theorem. */
+#include "observe/shape.h"
+
+#include "base/vec3.h"
+#include "linalg/eigen.h"
+#include "mesh/p2.h"
+#include "mesh/surface.h"
+
+#include <stdbool.h>
+
+enum { MOMENT_POINTS = 16 }; /* degree 8: exact for the second moments */
+
+/* Below this D12 the direction of e1 is round-off. */
+static const double ROUND_SHAPE = 1e-10;
+
+static const double PI = 3.14159265358979323846;
+
+/* Moments of the enclosed volume about a point. */
+typedef struct {
+  double volume;
+  double first[3];
+  double second[6]; /* xx, xy, xz, yy, yz, zz */
+} Moments;
+
+static void mean_position(const Mesh *mesh, const double *x, double mean[3]) {
+  for (int i = 0; i < 3; i++) mean[i] = 0.0;
+  for (int p = 0; p < mesh->n_nodes; p++)
+    for (int i = 0; i < 3; i++) mean[i] += x[3 * p + i] / mesh->n_nodes;
+}
+
+/* With div y = 3, div (y y_i) = 4 y_i, div (y y_i y_j) = 5 y_i y_j and y = x - origin. */
+static Moments volume_moments(const Mesh *mesh, const double *x, const double origin[3]) {
+  const P2Table table = p2_table(triangle_rule(MOMENT_POINTS));
+  Moments moments = {0};
+  for (int e = 0; e < mesh->n_elements; e++)
+    for (int g = 0; g < table.n; g++) {
+      double y[3], a1[3], a2[3], normal[3];
+      p2_interpolate(x, mesh->element[e], table.N[g], y);
+      p2_tangents(x, mesh->element[e], table.dN[g], a1, a2);
+      vec3_subtract(y, origin, y);
+      vec3_cross(a1, a2, normal);
+      double flux = table.weight[g] * vec3_dot(y, normal);
+      moments.volume += flux / 3.0;
+      double *second = moments.second;
+      for (int i = 0; i < 3; i++) {
+        moments.first[i] += flux * y[i] / 4.0;
+        for (int j = i; j < 3; j++) *second++ += flux * y[i] * y[j] / 5.0;
+      }
+    }
+  return moments;
+}
+
+/* Moves second moments from the origin to the centre of the volume, at `center` from there. */
+static void move_to_center(Moments *moments, const double center[3]) {
+  double *second = moments->second;
+  for (int i = 0; i < 3; i++)
+    for (int j = i; j < 3; j++) *second++ -= moments->volume * center[i] * center[j];
+}
+
+/* Semi-axes of the solid ellipsoid with principal second moments m_k = (4 pi/15) a b c a_k^2. */
+static void semi_axes(const double m[3], double a[3]) {
+  double abc = pow(15.0 / (4.0 * PI) * cbrt(m[0] * m[1] * m[2]), 0.6);
+  for (int k = 0; k < 3; k++) a[k] = sqrt(15.0 * m[k] / (4.0 * PI * abc));
+}
+
+/* Unit vector along the part of v normal to `axis`; false when v lies along it. */
+static bool project_out(const double v[3], const double axis[3], double unit[3]) {
+  double along = vec3_dot(v, axis);
+  for (int i = 0; i < 3; i++) unit[i] = v[i] - along * axis[i];
+  return vec3_normalize(unit) > 1e-6;
+}
+
+/* Turns e1 into the half plane of angles (-pi/2, pi/2]; returns its angle. */
+static double orient_major(const double vorticity_axis[3], double e1[3]) {
+  static const double e_x[3] = {1.0, 0.0, 0.0}, e_y[3] = {0.0, 1.0, 0.0};
+  double along[3], across[3];
+  if (!project_out(e_x, vorticity_axis, along)) project_out(e_y, vorticity_axis, along);
+  vec3_cross(along, vorticity_axis, across);
+  double cosine = vec3_dot(e1, along), sine = vec3_dot(e1, across);
+  if (cosine < 0.0 || (cosine == 0.0 && sine < 0.0)) {
+    for (int i = 0; i < 3; i++) e1[i] = -e1[i];
+    cosine = -cosine;
+    sine = -sine;
+  }
+  return atan2(sine, cosine);
+}
+
+/* Names the principal axes, given with rising semi-axes. */
+static void name_axes(const double semi_axis[3], double vector[3][3], const double vorticity_axis[3],
+                      Shape *shape) {
+  int third = 0;
+  for (int k = 1; k < 3; k++)
+    if (fabs(vec3_dot(vector[k], vorticity_axis)) > fabs(vec3_dot(vector[third], vorticity_axis))) third = k;
+  int minor = third == 0 ? 1 : 0, major = third == 2 ? 1 : 2;
+  double sense = vec3_dot(vector[third], vorticity_axis) < 0.0 ? -1.0 : 1.0;
+  for (int i = 0; i < 3; i++) {
+    shape->e1[i] = vector[major][i];
+    shape->e3[i] = sense * vector[third][i];
+  }
+  shape->L1 = 2.0 * semi_axis[major];
+  shape->L2 = 2.0 * semi_axis[minor];
+  shape->L3 = 2.0 * semi_axis[third];
+  shape->D12 = (shape->L1 - shape->L2) / (shape->L1 + shape->L2);
+  double angle = orient_major(vorticity_axis, shape->e1);
+  shape->beta = shape->D12 < ROUND_SHAPE ? NAN : angle;
+  vec3_cross(shape->e3, shape->e1, shape->e2);
+}
+
+Status shape_measure(const Mesh *mesh, const double *x, const double vorticity_axis[3], Shape *shape,
+                     Error *error) {
+  double origin[3], center[3], value[3], vector[3][3], semi_axis[3];
+  mean_position(mesh, x, origin); /* near the centre, so that moving the moments loses no digits */
+  Moments moments = volume_moments(mesh, x, origin);
+  for (int i = 0; i < 3; i++) {
+    center[i] = moments.first[i] / moments.volume;
+    shape->center[i] = origin[i] + center[i];
+  }
+  move_to_center(&moments, center);
+  Status status = eigen_symmetric3(moments.second, value, vector, error);
+  if (status != STATUS_OK) {
+    error_prefix(error, "shape of the capsule: ");
+    return status;
+  }
+  if (!(value[0] > 0.0))
+    return error_set(
+        error, STATUS_REJECT,
+        "shape of the capsule: expected positive second moments of the enclosed volume, found %g", value[0]);
+  shape->volume = surface_volume(mesh, x);
+  shape->area = surface_area(mesh, x);
+  semi_axes(value, semi_axis);
+  name_axes(semi_axis, vector, vorticity_axis, shape);
+  return STATUS_OK;
+}
