@@ -22,7 +22,7 @@ typedef struct {
   IntegratorKind integrator;
   bool is_auto;
   double fixed_step; /* when !is_auto */
-  double tolerance;  /* largest error of a node in one step, in units of a */
+  double tolerance;  /* of the error of one step, root mean square over the nodes, in units of a */
   bool allow_unstable;
 } StepperOptions;
 
