@@ -69,7 +69,7 @@ Status stepper_start(Stepper *s, double t, const double *x, Error *error) {
   spectral_radius_seed(s->rhs.n, s->direction);
   TRY(stepper_measure_radius(s, error));
   TRY(check_fixed_step(s, STATUS_INPUT, error));
-  s->memory.h_next = s->options.is_auto ? 1 / s->memory.rho : s->options.fixed_step;
+  s->memory.h_next = s->options.is_auto ? 0.25 / s->memory.rho : s->options.fixed_step;
 cleanup:
   return status;
 }

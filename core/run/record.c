@@ -19,6 +19,7 @@ Status record_new(Record *record, Simulation *s, Error *error) {
   TRY(ARRAY_NEW(&record->R0, n, error));
   TRY(ARRAY_NEW(&record->T1, points, error));
   TRY(ARRAY_NEW(&record->T2, points, error));
+  if (simulation_is_inflation(s)) TRY(ARRAY_NEW(&record->area_vector, n, error));
 cleanup:
   if (status != STATUS_OK) record_free(record);
   return status;
@@ -31,6 +32,7 @@ void record_free(Record *record) {
   array_free(record->R0);
   array_free(record->T1);
   array_free(record->T2);
+  array_free(record->area_vector);
   *record = (Record){0};
 }
 
@@ -43,18 +45,13 @@ static double power(const Record *record, const double *R) {
   return sum / record->simulation->material.shear_modulus;
 }
 
-/* Work of the fluid on the membrane up to the probed time: the integral of R . v, with the parabola through
- * the power at the two ends and at the step before where the motion is smooth (an error of order h^4 a step,
- * h^3 without). */
+/* Work of the fluid on the membrane up to the probed time: the integral of R . v by the trapezoidal rule and
+ * the curvature of the power (an error of order h^4 a step). */
 static double work_done(const Record *record) {
-  const RecordData *data = &record->data;
-  const Motion *motion = record->simulation->motion;
-  const double h = record->probed_t - motion->t;
-  if (h == 0) return data->work;
-  const double P = power(record, record->R), slope = (P - record->power0) / h;
-  const double curvature =
-      motion->is_smooth && motion->last_step > 0 ? (slope - data->power_slope) / (h + motion->last_step) : 0;
-  return data->work + 0.5 * h * (record->power0 + P) - h * h * h / 6 * curvature;
+  const double h = record->probed_t - record->simulation->motion->t;
+  if (h == 0) return record->data.work;
+  const double P = power(record, record->R);
+  return record->data.work + 0.5 * h * (record->power0 + P) - h * h * h / 6 * record->curvature;
 }
 
 static double stored(const Record *record) {
@@ -90,15 +87,6 @@ Status record_begin(Record *record, bool restored, Error *error) {
   return STATUS_OK;
 }
 
-void record_step(Record *record, double t1) {
-  const Simulation *s = record->simulation;
-  s->motion->at(s->motion, s->motion->t, record->x, record->v);
-  record->power0 = power(record, record->R0);
-  record->t1 = record->probed_t = t1;
-  s->motion->at(s->motion, t1, record->x, record->v);
-  memcpy(record->R, s->motion->R, 3 * (size_t)s->mesh.n_nodes * sizeof *record->R);
-}
-
 Status record_probe(Record *record, double t, Error *error) {
   if (t == record->probed_t) return STATUS_OK;
   const Simulation *s = record->simulation;
@@ -112,6 +100,33 @@ Status record_probe(Record *record, double t, Error *error) {
     error_prefix(error, "inside the step from t = %.6g to %.6g: ", t0, record->t1);
   }
   return status;
+}
+
+/* Curvature of the power from its values at both ends of the step and at the step before, where the motion is
+ * smooth; otherwise from its value at the middle. */
+static Status measure_curvature(Record *record, Error *error) {
+  const Motion *motion = record->simulation->motion;
+  const double h = record->t1 - motion->t, P1 = power(record, record->R);
+  if (motion->is_smooth && motion->last_step > 0) {
+    record->curvature = ((P1 - record->power0) / h - record->data.power_slope) / (h + motion->last_step);
+    return STATUS_OK;
+  }
+  Status status = STATUS_OK;
+  TRY(record_probe(record, motion->t + 0.5 * h, error));
+  record->curvature = 2 * (record->power0 - 2 * power(record, record->R) + P1) / (h * h);
+  TRY(record_probe(record, record->t1, error));
+cleanup:
+  return status;
+}
+
+Status record_step(Record *record, double t1, Error *error) {
+  const Simulation *s = record->simulation;
+  s->motion->at(s->motion, s->motion->t, record->x, record->v);
+  record->power0 = power(record, record->R0);
+  record->t1 = record->probed_t = t1;
+  s->motion->at(s->motion, t1, record->x, record->v);
+  memcpy(record->R, s->motion->R, 3 * (size_t)s->mesh.n_nodes * sizeof *record->R);
+  return measure_curvature(record, error);
 }
 
 /* ---- extremes ---- */
@@ -155,7 +170,7 @@ static void inflation_averages(const Record *record, HistoryRow *row) {
     area += points.J[k] * points.dS0[k];
     if (points.d) damaged += points.d[k] * points.J[k] * points.dS0[k];
   }
-  double *A = record->v; /* velocities are not needed for a row of an inflation */
+  double *A = record->area_vector;
   surface_area_vectors(&s->mesh, record->x, A);
   for (int i = 0; i < 3 * s->mesh.n_nodes; i++) load += s->motion->q[i] * A[i];
   row->p = load / area / s->material.shear_modulus;

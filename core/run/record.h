@@ -27,12 +27,14 @@ typedef struct {
 typedef struct {
   Simulation *simulation;
   RecordData data;
-  double probed_t;   /* time of the membrane's trial state; NAN: not in the proposed step */
-  double *x, *v, *R; /* [n_nodes][3] at the probed time */
-  double *R0;        /* [n_nodes][3] at the accepted time */
-  double power0;     /* R0 . v at the start of the proposed step */
-  double *T1, *T2;   /* [n_points] scratch */
-  double t1;         /* end of the proposed step */
+  double probed_t;     /* time of the membrane's trial state; NAN: not in the proposed step */
+  double *x, *v, *R;   /* [n_nodes][3] at the probed time */
+  double *R0;          /* [n_nodes][3] at the accepted time */
+  double power0;       /* R0 . v at the start of the proposed step */
+  double curvature;    /* half the second derivative of the power over the step */
+  double *T1, *T2;     /* [n_points] scratch */
+  double *area_vector; /* [n_nodes][3] scratch of an inflation, NULL otherwise */
+  double t1;           /* end of the proposed step */
 } Record;
 
 Status record_new(Record *record, Simulation *simulation, Error *error);
@@ -42,7 +44,7 @@ void record_free(Record *record);
 Status record_begin(Record *record, bool restored, Error *error);
 
 /* A step from the accepted time to t1 has been proposed; the membrane's trial state is at t1. */
-void record_step(Record *record, double t1);
+Status record_step(Record *record, double t1, Error *error);
 
 /* Puts x, v, R and the membrane's trial state at time t of the proposed step. */
 Status record_probe(Record *record, double t, Error *error);

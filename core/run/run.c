@@ -138,7 +138,7 @@ static Status advance(Run *run, Error *error) {
   double t1;
   const double t_limit = fmin(output_next_snapshot(&run->output, s), run->scene.time.end);
   TRY(s->motion->propose(s->motion, t_limit, &t1, &run->log, error));
-  record_step(&run->record, t1);
+  TRY(record_step(&run->record, t1, error));
 
   const bool was_whole = isnan(run->record.data.t_l);
   TRY(record_events(&run->record, error));
