@@ -10,6 +10,7 @@ static const struct {
   const char *about;
 } COMMANDS[] = {
     {"run", command_run, "run a scene: deformation, damage and rupture of a capsule"},
+    {"laws", command_laws, "list the laws of membrane and damage, show one"},
     {"manual", command_manual, "print every key of a scene file (Markdown)"},
 };
 enum { N_COMMANDS = sizeof COMMANDS / sizeof *COMMANDS };

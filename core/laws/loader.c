@@ -29,18 +29,23 @@ static Status report(Attempt *attempt, const char *file, const char *reason, Err
   return text_append(&attempt->tried, error, "\n  %s: %s", file, reason);
 }
 
+static bool fits(const Attempt *attempt, LawKind kind, const char *id) {
+  return (attempt->kind == kind || attempt->kind == LAW_ANY) &&
+         (!attempt->id || strcmp(attempt->id, id) == 0);
+}
+
 /* Takes the law that fits; returns how many fit. */
 static uint32_t choose(const Attempt *attempt, const mlaw_plugin *plugin) {
-  const bool energy = attempt->kind == LAW_ENERGY;
-  const uint32_t count = energy ? plugin->n_energy : plugin->n_damage;
   uint32_t fit = 0;
-  for (uint32_t k = 0; k < count; k++) {
-    const char *id = energy ? plugin->energy[k]->id : plugin->damage[k]->id;
-    if (attempt->id && strcmp(attempt->id, id) != 0) continue;
+  for (uint32_t k = 0; k < plugin->n_energy; k++) {
+    if (!fits(attempt, LAW_ENERGY, plugin->energy[k]->id)) continue;
+    *attempt->law = (LoadedLaw){.plugin = plugin, .energy = plugin->energy[k]};
     fit++;
-    attempt->law->plugin = plugin;
-    attempt->law->energy = energy ? plugin->energy[k] : NULL;
-    attempt->law->damage = energy ? NULL : plugin->damage[k];
+  }
+  for (uint32_t k = 0; k < plugin->n_damage; k++) {
+    if (!fits(attempt, LAW_DAMAGE, plugin->damage[k]->id)) continue;
+    *attempt->law = (LoadedLaw){.plugin = plugin, .damage = plugin->damage[k]};
+    fit++;
   }
   return fit;
 }

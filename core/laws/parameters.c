@@ -3,6 +3,7 @@
 
 #include "base/array.h"
 #include "base/text.h"
+#include "config/units.h"
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -18,7 +19,7 @@ Status law_place_error(const SourcePlace *place, Error *error) {
 /* The usual name of a unit with these exponents of kg, m, s, or their product. */
 static const char *unit_name(const signed char dim[4], char *buffer, size_t size) {
   static const struct {
-    signed char dim[3];
+    signed char dim[4];
     const char *name;
   } known[] = {{{0, 0, 0}, "a number without unit"},
                {{1, 0, -2}, "N/m"},
@@ -32,7 +33,7 @@ static const char *unit_name(const signed char dim[4], char *buffer, size_t size
                {{1, 0, 0}, "kg"},
                {{0, 1, -1}, "m/s"}};
   for (size_t k = 0; k < sizeof known / sizeof *known; k++) {
-    if (memcmp(known[k].dim, dim, sizeof known[k].dim) == 0) return known[k].name;
+    if (units_agree(known[k].dim, dim)) return known[k].name;
   }
   snprintf(buffer, size, "kg^%d m^%d s^%d", dim[0], dim[1], dim[2]);
   return buffer;
@@ -43,7 +44,7 @@ static Status without_unit(const mlaw_param *param, const Quantity *quantity, co
   char buffer[64];
   *value = quantity->value;
   if (!quantity->has_unit) return STATUS_OK;
-  if (memcmp(param->dim, quantity->dim, 3) != 0) {
+  if (!units_agree(param->dim, quantity->dim)) {
     return error_set(error, STATUS_INPUT, "expected %s, found %s",
                      strcmp(param->unit, "1") == 0 ? "a number without unit" : param->unit,
                      unit_name(quantity->dim, buffer, sizeof buffer));

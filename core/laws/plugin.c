@@ -7,7 +7,8 @@
 #include <string.h>
 
 const char *law_kind_name(LawKind kind) {
-  return kind == LAW_ENERGY ? "energy" : "damage";
+  static const char *const names[] = {"energy", "damage", "energy or damage"};
+  return names[kind];
 }
 
 LawDescription law_describe_energy(const mlaw_energy *law) {

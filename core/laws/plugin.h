@@ -7,9 +7,9 @@
 #include "base/status.h"
 #include <mlaw/mlaw.h>
 
-typedef enum { LAW_ENERGY, LAW_DAMAGE } LawKind;
+typedef enum { LAW_ENERGY, LAW_DAMAGE, LAW_ANY } LawKind;
 
-const char *law_kind_name(LawKind kind); /* "energy", "damage" */
+const char *law_kind_name(LawKind kind); /* "energy", "damage", "energy or damage" */
 
 /* Opens a file (a path with a slash) and negotiates.  On success every structure and string of the plugin can
  * be read as mlaw.h says.  On failure (STATUS_INPUT) the message is the reason alone, without the file's

@@ -1,0 +1,85 @@
+/* capsella laws, as a user calls it. */
+#include "law_scene.h"
+#include "suite.h"
+#include <stdio.h>
+#include <string.h>
+#include <sys/wait.h>
+
+static char output[16384]; /* of the last call, errors included */
+
+/* Runs `capsella laws ARGUMENTS`; returns the exit code. */
+static int laws(const char *arguments) {
+  char command[1024];
+  snprintf(command, sizeof command, "cd '%s' && MLAW_PLUGIN_PATH= ./capsella laws %s 2>&1", BUILD_DIR,
+           arguments);
+  FILE *pipe = popen(command, "r");
+  ck_assert_ptr_nonnull(pipe);
+  output[fread(output, 1, sizeof output - 1, pipe)] = '\0';
+  const int status = pclose(pipe);
+  ck_assert(WIFEXITED(status));
+  return WEXITSTATUS(status);
+}
+
+static void expect_output(const char *words) {
+  ck_assert_msg(strstr(output, words) != NULL, "expected `%s` in:\n%s", words, output);
+}
+
+START_TEST(list_gives_kind_id_title_and_file_of_every_law) {
+  ck_assert_int_eq(laws("list"), 0);
+  expect_output("energy  neo_hookean  Neo-Hookean membrane ");
+  expect_output(PLUGINS "/neo_hookean.so\n");
+  expect_output("energy  skalak       Skalak's membrane ");
+  expect_output("damage  marigo       Brittle damage with linear hardening  " PLUGINS "/marigo.so\n");
+  char listed[sizeof output];
+  memcpy(listed, output, sizeof output);
+  ck_assert_int_eq(laws(""), 0); /* list is the default */
+  ck_assert_str_eq(output, listed);
+}
+END_TEST
+
+START_TEST(show_prints_an_energy_law_with_parameters_and_moduli) {
+  ck_assert_int_eq(laws("show skalak"), 0);
+  expect_output("skalak: Skalak's membrane\n");
+  expect_output("kind       energy\n");
+  expect_output("moduli     G_s = 1, K_s = 3 at rest, with defaults\n");
+  expect_output("  C (1)  resistance to area change");
+  expect_output("default 1, range (-0.5, inf), calibrated in [0, 100000]\n");
+}
+END_TEST
+
+START_TEST(show_prints_a_damage_law_with_its_channels_and_history) {
+  ck_assert_int_eq(laws("show marigo"), 0);
+  expect_output("form       explicit");
+  expect_output("driven by  Y (energy release rate)\n");
+  expect_output("required, range [0, inf)\n");
+  ck_assert_int_eq(laws("show ./template/general_damage_law.so"), 0);
+  expect_output("driven by  T1 (larger principal tension)\n");
+  expect_output("overloaded (s)  time spent beyond the strength; starts at 0\n");
+}
+END_TEST
+
+START_TEST(a_law_that_is_not_there_is_an_input_error_with_the_nearest_name) {
+  ck_assert_int_eq(laws("show skalek"), 2);
+  expect_output("capsella laws: expected the energy or damage law `skalek`");
+  expect_output("did you mean `skalak`?");
+}
+END_TEST
+
+START_TEST(a_wrong_call_is_an_input_error_with_the_usage) {
+  ck_assert_int_eq(laws("shw"), 2);
+  expect_output("found 'shw'");
+  expect_output("usage: capsella laws");
+  ck_assert_int_eq(laws("show"), 2);
+  ck_assert_int_eq(laws("--help"), 0);
+  expect_output("usage: capsella laws");
+}
+END_TEST
+
+int main(void) {
+  return suite_run("command_laws",
+                   (SuiteTests){list_gives_kind_id_title_and_file_of_every_law,
+                                show_prints_an_energy_law_with_parameters_and_moduli,
+                                show_prints_a_damage_law_with_its_channels_and_history,
+                                a_law_that_is_not_there_is_an_input_error_with_the_nearest_name,
+                                a_wrong_call_is_an_input_error_with_the_usage, NULL});
+}
