@@ -1,0 +1,268 @@
+/* Layout and ink; what is seen comes from the projection.  Coordinates of the surface are whole tenths of a
+ * pixel, which keeps the file short. */
+#include "observe/picture.h"
+
+#include "base/array.h"
+#include "base/vec3.h"
+#include "observe/projection.h"
+#include <math.h>
+#include <stdbool.h>
+#include <stdio.h>
+
+const PictureView picture_shear_views[2] = {
+    {{0, -1, 0}, {0, 0, 1}, "along the vorticity axis"},
+    {{0, 0, 1}, {0, 1, 0}, "along the velocity gradient"},
+};
+const PictureAxis picture_shear_axes[3] = {
+    {{1, 0, 0}, "flow"}, {{0, 0, 1}, "gradient"}, {{0, 1, 0}, "vorticity"}};
+
+enum {
+  VIEW_SIZE = 380,   /* pixels of the square of one view */
+  TITLE_HEIGHT = 30, /* above the views */
+  HEIGHT = TITLE_HEIGHT + VIEW_SIZE,
+  BAR_WIDTH = 110, /* right of them, with its labels */
+  CUTS_MAX = 4,    /* of an element's edge */
+  PIECES_WANTED = 12000,
+};
+static const double FILLING = 0.78; /* part of a view's width that the capsule takes at most */
+
+typedef struct {
+  double center[3];        /* of the box around the capsule */
+  double scale;            /* pixels per length: the capsule fits however it is turned */
+  double minimum, maximum; /* of the colour bar */
+  int cuts;
+} Frame;
+
+/* --- colours --- */
+
+/* viridis at 0, 0.1, ... 1: even in lightness, and legible to colour-blind eyes and in grey. */
+static const unsigned char viridis[11][3] = {{68, 1, 84},    {72, 36, 117},  {65, 68, 135},  {53, 95, 141},
+                                             {42, 120, 142}, {33, 145, 140}, {34, 168, 132}, {68, 191, 112},
+                                             {122, 209, 81}, {189, 223, 38}, {253, 231, 37}};
+static const unsigned char plain[3] = {150, 170, 190};
+
+static void map_color(double fraction, double rgb[3]) {
+  const double place = 10 * fmin(fmax(fraction, 0), 1);
+  const int k = place < 9 ? (int)place : 9;
+  for (int c = 0; c < 3; c++) rgb[c] = viridis[k][c] + (place - k) * (viridis[k + 1][c] - viridis[k][c]);
+}
+
+static unsigned color_of(const Picture *picture, const Frame *frame, const Piece *piece) {
+  double rgb[3] = {plain[0], plain[1], plain[2]};
+  if (picture->field) map_color((piece->value - frame->minimum) / (frame->maximum - frame->minimum), rgb);
+  /* Shade and a faint gloss show the form, even where the map is dark; the field stays legible. */
+  const double shade = 0.65 + 0.35 * piece->light, gloss = 0.25 * pow(piece->light, 6);
+  unsigned color = 0;
+  for (int c = 0; c < 3; c++)
+    color = color << 8 | (unsigned)lround(shade * rgb[c] + gloss * (255 - shade * rgb[c]));
+  return color;
+}
+
+/* --- the frame --- */
+
+/* values [n_nodes][components] */
+static Status check_finite(const double *values, int n_nodes, int components, const char *what,
+                           Error *error) {
+  for (int k = 0; k < n_nodes * components; k++)
+    if (!isfinite(values[k]))
+      return error_set(error, STATUS_INPUT, "picture: expected a finite %s, found %g at node %d", what,
+                       values[k], k / components);
+  return STATUS_OK;
+}
+
+static int cuts_for(const Picture *picture) {
+  const double seen = 0.5 * (double)picture->n_views * picture->mesh->n_elements; /* half face away */
+  const int cuts = (int)sqrt(PIECES_WANTED / fmax(seen, 1));
+  return cuts < 1 ? 1 : cuts > CUTS_MAX ? CUTS_MAX : cuts;
+}
+
+static void frame_of(const Picture *picture, Frame *frame) {
+  const int n = picture->mesh->n_nodes;
+  *frame = (Frame){.cuts = cuts_for(picture), .minimum = picture->minimum, .maximum = picture->maximum};
+  for (int i = 0; i < 3; i++) {
+    double low = HUGE_VAL, high = -HUGE_VAL;
+    for (int p = 0; p < n; p++) {
+      low = fmin(low, picture->x[3 * p + i]);
+      high = fmax(high, picture->x[3 * p + i]);
+    }
+    frame->center[i] = 0.5 * (low + high);
+  }
+  double half_width = 0;
+  for (int p = 0; p < n; p++) half_width = fmax(half_width, vec3_distance(picture->x + 3 * p, frame->center));
+  frame->scale = 0.5 * FILLING * VIEW_SIZE / half_width;
+  if (!picture->field || frame->maximum > frame->minimum) return;
+  frame->minimum = HUGE_VAL;
+  frame->maximum = -HUGE_VAL;
+  for (int p = 0; p < n; p++) {
+    frame->minimum = fmin(frame->minimum, picture->field[p]);
+    frame->maximum = fmax(frame->maximum, picture->field[p]);
+  }
+  if (frame->minimum == frame->maximum) frame->maximum = frame->minimum + 1; /* one colour */
+}
+
+/* --- drawing --- */
+
+static Status print_escaped(Text *svg, const char *string, Error *error) {
+  Status status = STATUS_OK;
+  for (const char *s = string; *s && status == STATUS_OK; s++) switch (*s) {
+    case '&':
+      status = text_append(svg, error, "&amp;");
+      break;
+    case '<':
+      status = text_append(svg, error, "&lt;");
+      break;
+    case '>':
+      status = text_append(svg, error, "&gt;");
+      break;
+    default:
+      status = text_append_bytes(svg, error, s, 1);
+    }
+  return status;
+}
+
+static Status print_label(Text *svg, double x, double y, const char *anchor, const char *label,
+                          Error *error) {
+  Status status;
+  TRY(text_append(svg, error, "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\">", x, y, anchor));
+  TRY(print_escaped(svg, label, error));
+  TRY(text_append(svg, error, "</text>\n"));
+cleanup:
+  return status;
+}
+
+static Status print_piece(Text *svg, const Piece *piece, double scale, unsigned color, Error *error) {
+  long p[3][2];
+  for (int k = 0; k < 3; k++) {
+    p[k][0] = lround(10 * (0.5 * VIEW_SIZE + scale * piece->corner[k][0]));
+    p[k][1] = lround(10 * (0.5 * VIEW_SIZE - scale * piece->corner[k][1]));
+  }
+  return text_append(svg, error, "<path color=\"#%06x\" d=\"M%ld %ld %ld %ld %ld %ldz\"/>\n", color, p[0][0],
+                     p[0][1], p[1][0], p[1][1], p[2][0], p[2][1]);
+}
+
+/* The capsule in the square of one view.  A stroke of each piece's own colour closes the hair lines between
+ * neighbours. */
+static Status print_capsule(const Picture *picture, const Frame *frame, const Projection *projection,
+                            Text *svg, Error *error) {
+  Status status;
+  Piece *pieces = NULL;
+  size_t count;
+  TRY(projection_pieces(projection, picture->mesh, picture->x, picture->field, frame->center, frame->cuts,
+                        &pieces, &count, error));
+  TRY(text_append(svg, error,
+                  "<g transform=\"scale(.1)\" fill=\"currentColor\" stroke=\"currentColor\" "
+                  "stroke-width=\"6\" stroke-linejoin=\"round\">\n"));
+  for (size_t k = 0; k < count; k++)
+    TRY(print_piece(svg, &pieces[k], frame->scale, color_of(picture, frame, &pieces[k]), error));
+  TRY(text_append(svg, error, "</g>\n"));
+cleanup:
+  array_free(pieces);
+  return status;
+}
+
+/* One axis from the corner of a view: an arrow, or a ring with a dot (toward the eye) or cross (away). */
+static Status print_axis(const PictureAxis *axis, const Projection *projection, Text *svg, Error *error) {
+  enum { CORNER = 48, LENGTH = 40, RING = 6 };
+  double direction[3] = {axis->direction[0], axis->direction[1], axis->direction[2]};
+  vec3_normalize(direction);
+  const double right = vec3_dot(direction, projection->right), down = -vec3_dot(direction, projection->up);
+  const double x0 = CORNER, y0 = VIEW_SIZE - CORNER, length = hypot(right, down);
+  Status status;
+  if (length < 0.1) {
+    const bool is_toward = vec3_dot(direction, projection->toward) > 0;
+    TRY(text_append(svg, error, "<circle cx=\"%g\" cy=\"%g\" r=\"%d\" fill=\"#fff\"/>\n", x0, y0, RING));
+    TRY(text_append(svg, error,
+                    is_toward ? "<circle cx=\"%g\" cy=\"%g\" r=\"1.5\" fill=\"#333\"/>\n"
+                              : "<path transform=\"translate(%g %g)\" d=\"M-4 -4L4 4M-4 4L4 -4\"/>\n",
+                    x0, y0));
+    return print_label(svg, x0 - RING, y0 + RING + 14, "middle", axis->label, error);
+  }
+  const double x1 = x0 + LENGTH * right, y1 = y0 + LENGTH * down;
+  const double along[2] = {right / length, down / length};
+  TRY(text_append(svg, error, "<path d=\"M%.1f %.1fL%.1f %.1f\"/>\n", x0, y0, x1, y1));
+  TRY(text_append(svg, error, "<path fill=\"#333\" d=\"M%.1f %.1fL%.1f %.1fL%.1f %.1fz\"/>\n",
+                  x1 + 7 * along[0], y1 + 7 * along[1], x1 - 3 * along[1], y1 + 3 * along[0],
+                  x1 + 3 * along[1], y1 - 3 * along[0]));
+  TRY(print_label(svg, x1 + 12 * along[0], y1 + 12 * along[1] + 4, right > 0.5 ? "start" : "middle",
+                  axis->label, error));
+cleanup:
+  return status;
+}
+
+static Status print_view(const Picture *picture, const Frame *frame, const PictureView *view, size_t index,
+                         Text *svg, Error *error) {
+  Status status;
+  Projection projection;
+  TRY(projection_make(&projection, view->toward, view->up, error));
+  TRY(text_append(svg, error, "<g transform=\"translate(%zu %d)\">\n", index * VIEW_SIZE, TITLE_HEIGHT));
+  if (view->title) TRY(print_label(svg, 0.5 * VIEW_SIZE, -8, "middle", view->title, error));
+  TRY(print_capsule(picture, frame, &projection, svg, error));
+  TRY(text_append(svg, error, "<g stroke=\"#333\">\n"));
+  for (size_t k = 0; k < picture->n_axes; k++) TRY(print_axis(&picture->axes[k], &projection, svg, error));
+  TRY(text_append(svg, error, "</g>\n</g>\n"));
+cleanup:
+  return status;
+}
+
+/* --- the colour bar --- */
+
+/* About five steps of 1, 2 or 5 times a power of ten. */
+static double tick_step(double range) {
+  const double power = pow(10, floor(log10(range / 5)));
+  const double ratio = range / 5 / power;
+  return power * (ratio < 1.5 ? 1 : ratio < 3.5 ? 2 : ratio < 7.5 ? 5 : 10);
+}
+
+static Status print_gradient(Text *svg, Error *error) {
+  Status status;
+  TRY(text_append(svg, error, "<linearGradient id=\"map\" x1=\"0\" y1=\"1\" x2=\"0\" y2=\"0\">\n"));
+  for (int k = 0; k <= 10; k++)
+    TRY(text_append(svg, error, "<stop offset=\"%g\" stop-color=\"#%02x%02x%02x\"/>\n", 0.1 * k,
+                    viridis[k][0], viridis[k][1], viridis[k][2]));
+  TRY(text_append(svg, error, "</linearGradient>\n"));
+cleanup:
+  return status;
+}
+
+static Status print_bar(const Picture *picture, const Frame *frame, Text *svg, Error *error) {
+  enum { LEFT = 15, WIDTH = 16, TOP = 60, LENGTH = VIEW_SIZE - 80 };
+  Status status;
+  const double range = frame->maximum - frame->minimum, step = tick_step(range);
+  TRY(print_gradient(svg, error));
+  TRY(text_append(svg, error, "<g transform=\"translate(%zu 0)\" stroke=\"#333\">\n",
+                  picture->n_views * VIEW_SIZE + LEFT));
+  TRY(text_append(svg, error, "<rect y=\"%d\" width=\"%d\" height=\"%d\" fill=\"url(#map)\"/>\n", TOP, WIDTH,
+                  LENGTH));
+  if (picture->label) TRY(print_label(svg, 0, TOP - 14, "start", picture->label, error));
+  for (double k = ceil(frame->minimum / step); k * step <= frame->maximum; k++) {
+    const double y = TOP + LENGTH * (frame->maximum - k * step) / range;
+    char number[32];
+    snprintf(number, sizeof number, "%g", k * step);
+    TRY(text_append(svg, error, "<path d=\"M%d %.1fh5\"/>\n", WIDTH, y));
+    TRY(print_label(svg, WIDTH + 9, y + 4, "start", number, error));
+  }
+  TRY(text_append(svg, error, "</g>\n"));
+cleanup:
+  return status;
+}
+
+Status picture_print(const Picture *picture, Text *svg, Error *error) {
+  Status status;
+  Frame frame;
+  const size_t width = picture->n_views * VIEW_SIZE + (picture->field ? BAR_WIDTH : 0);
+  TRY(check_finite(picture->x, picture->mesh->n_nodes, 3, "position", error));
+  if (picture->field) TRY(check_finite(picture->field, picture->mesh->n_nodes, 1, "field value", error));
+  frame_of(picture, &frame);
+  TRY(text_append(
+      svg, error,
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %zu %d\" width=\"%zu\" height=\"%d\">\n"
+      "<style>text{font:13px sans-serif;fill:#222;stroke:none}</style>\n"
+      "<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n",
+      width, HEIGHT, width, HEIGHT));
+  for (size_t k = 0; k < picture->n_views; k++)
+    TRY(print_view(picture, &frame, &picture->views[k], k, svg, error));
+  if (picture->field) TRY(print_bar(picture, &frame, svg, error));
+  TRY(text_append(svg, error, "</svg>\n"));
+cleanup:
+  return status;
+}
