@@ -193,7 +193,9 @@ cleanup:
 static Status conclude(Run *run, Error *error) {
   Status status = STATUS_OK;
   const double t = run->simulation.motion->t;
-  if (run->output.last_row_t < t || isnan(run->output.last_row_t)) TRY(sample(run, t, error));
+  /* An interrupted run will go on: it gets no row that an uninterrupted one would not have. */
+  const bool has_row = run->output.last_row_t >= t; /* false for NAN */
+  if (!has_row && run->outcome != OUTCOME_INTERRUPTED) TRY(sample(run, t, error));
   run->record.data.wall_seconds = wall_seconds(run);
   run->started = timer_wall_seconds();
   TRY(output_snapshot(&run->output, &run->simulation, &run->record, error));
