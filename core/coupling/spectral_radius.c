@@ -24,9 +24,10 @@ void spectral_radius_seed(int n, double *direction) {
 Status spectral_radius(const Rhs *rhs, double t, const double *x, const double *f, double *direction,
                        double *x_trial, double *f_trial, double *rho, int *evaluations, Error *error) {
   const int n = rhs->n;
-  const double size = PERTURBATION * norm(n, x);
+  const double size = PERTURBATION * fmax(norm(n, x), 1); /* x is in units of its own size */
   double estimate = 0;
   for (int k = 0; k < MAX_ITERATIONS; k++) {
+    if (norm(n, direction) == 0) spectral_radius_seed(n, direction); /* f did not change along the last one */
     const double scale = size / norm(n, direction);
     for (int i = 0; i < n; i++) x_trial[i] = x[i] + scale * direction[i];
     const Status status = rhs->evaluate(rhs->context, x_trial, t, 0, f_trial, error);
