@@ -149,7 +149,7 @@ Status stepper_propose(Stepper *s, double t_limit, Log *log, Error *error) {
   }
   while (status == STATUS_OK || status == STATUS_REJECT) {
     h = choose_step(s, t_limit);
-    if (status == STATUS_REJECT && (!s->options.is_auto || h < SMALLEST_STEP)) return give_up(s, h, error);
+    if (status == STATUS_REJECT && !(s->options.is_auto && h >= SMALLEST_STEP)) return give_up(s, h, error);
     s->t1 = h == t_limit - s->memory.t ? t_limit : s->memory.t + h;
     status = try_step(s, s->t1, error);
     double shrink = 0.25;
