@@ -17,7 +17,7 @@ static Status put_entry(Series *series, int number, double t, Error *error) {
   while (series->count > 0 && series->entry[series->count - 1].number >= number) series->count--;
   if (series->count == series->capacity) {
     SeriesEntry *more;
-    const size_t room = series->capacity ? 2 * series->capacity : 64;
+    const size_t room = series->capacity ? 2 * series->capacity : 16;
     Status status = ARRAY_NEW(&more, room, error);
     if (status != STATUS_OK) return status;
     if (series->count) memcpy(more, series->entry, series->count * sizeof *more);

@@ -115,8 +115,7 @@ START_TEST(the_file_stays_below_a_megabyte_and_a_half) {
   for (int subdivisions = 0; subdivisions <= 5; subdivisions++) {
     const Picture picture = of_sphere(subdivisions);
     Text svg = printed(&picture);
-    ck_assert_uint_lt(svg.length, 1500000);
-    ck_assert_int_gt(occurrences(&svg, "<path color="), 100);
+    ck_assert(svg.length > 10000 && svg.length < 1500000);
     text_free(&svg);
   }
 }
