@@ -11,6 +11,11 @@ Status place_error(const SourcePlace *place, Error *error, const char *format, .
   int length = vsnprintf(text, sizeof text, format, arguments);
   va_end(arguments);
   error_set(error, STATUS_INPUT, "%s", length < 0 ? format : text);
+  return place_prefix(place, error);
+}
+
+Status place_prefix(const SourcePlace *place, Error *error) {
+  if (!place->file) return error->code;
   if (place->line == 0) return error_prefix(error, "%s: ", place->file);
   return error_prefix(error, "%s:%d:%d: ", place->file, place->line, place->column);
 }

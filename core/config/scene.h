@@ -36,7 +36,7 @@ typedef enum {
   FLOW_LINEAR,             /* v = G x */
   FLOW_INFLATION           /* imposed radius, no fluid */
 } FlowKind;
-typedef enum { INTEGRATOR_RK2, INTEGRATOR_RK4, INTEGRATOR_RKC2 } IntegratorKind;
+typedef enum { INTEGRATOR_RK2, INTEGRATOR_RKC2 } IntegratorKind;
 typedef enum { RUPTURE_STOP, RUPTURE_CONTINUE } RuptureAction;
 typedef enum { ACCURACY_DRAFT, ACCURACY_STANDARD, ACCURACY_FINE } Accuracy;
 typedef enum { SYMMETRY_AUTO, SYMMETRY_OFF } SymmetryChoice;

@@ -43,8 +43,7 @@ static const char *const FLOW_KINDS[] = {[FLOW_SIMPLE_SHEAR] = "simple_shear",
                                          [FLOW_LINEAR] = "linear",
                                          [FLOW_INFLATION] = "inflation",
                                          NULL};
-static const char *const INTEGRATORS[] = {
-    [INTEGRATOR_RK2] = "rk2", [INTEGRATOR_RK4] = "rk4", [INTEGRATOR_RKC2] = "rkc2", NULL};
+static const char *const INTEGRATORS[] = {[INTEGRATOR_RK2] = "rk2", [INTEGRATOR_RKC2] = "rkc2", NULL};
 static const char *const RUPTURE_ACTIONS[] = {[RUPTURE_STOP] = "stop", [RUPTURE_CONTINUE] = "continue", NULL};
 static const char *const SYMMETRIES[] = {[SYMMETRY_AUTO] = "auto", [SYMMETRY_OFF] = "off", NULL};
 static const char *const FLUID_METHODS[] = {
@@ -130,7 +129,8 @@ const SchemaRow SCHEMA[] = {
      .meaning = "Time at which the run ends, in units of 1/rate."},
     {.key = "time.integrator", .type = TYPE_CHOICE, AT(time.integrator), .choices = INTEGRATORS,
      .fallback = "rk2",
-     .meaning = "Time integrator: rk2 is the explicit midpoint rule."},
+     .meaning = "Time integrator: rk2 is the explicit midpoint rule, rkc2 a stabilized Runge-Kutta-Chebyshev "
+                "method that takes longer steps."},
     {.key = "time.step", .type = TYPE_AUTOMATIC, AT(time.step),
      .companion = offsetof(Scene, time.step_is_auto), ABOVE(0), .fallback = "auto",
      .meaning = "Time step: `auto` follows the error and the stability limit, a number is a fixed step, "

@@ -10,8 +10,7 @@
 #include <string.h>
 
 Status law_place_error(const SourcePlace *place, Error *error) {
-  if (!place->file || place->line <= 0) return error->code;
-  return error_prefix(error, "%s:%d:%d: ", place->file, place->line, place->column);
+  return place_prefix(place, error);
 }
 
 /* ---- Units ---- */

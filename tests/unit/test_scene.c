@@ -1,4 +1,4 @@
-/* Scenes: what is read, what is refused and where, what --set changes, and that resolved.yaml reads back. */
+/* Scenes: what is read, what is refused and where, and that resolved.yaml reads back. */
 #include "base/array.h"
 #include "base/file.h"
 #include "config/scene.h"
@@ -380,77 +380,6 @@ START_TEST(a_missing_scene_file_is_wrong_input) {
 }
 END_TEST
 
-START_TEST(settings_replace_and_add_in_order) {
-  static const char *const sets[] = {
-      "name=first", "name=second",        "membrane.damage.law=marigo", "membrane.damage.parameters.Y_D=0.3",
-      "time.end=5", "stop={steady: 1e-6}"};
-  Scene s;
-  Error error;
-  const char *text = MEMBRANE SHEAR END;
-  Status status = scene_read_text(&s, "scene.yaml", text, strlen(text), sets, 6, &error);
-  ck_assert_msg(status == STATUS_OK, "%s", error.text);
-  ck_assert_str_eq(s.name, "second");
-  ck_assert_str_eq(s.membrane.damage.law, "marigo");
-  ck_assert_str_eq(s.membrane.damage.place.file, "--set membrane.damage.law=marigo");
-  ck_assert_int_eq(s.membrane.damage.place.line, 0);
-  ck_assert_str_eq(s.membrane.damage.parameters[0].name, "Y_D");
-  ck_assert(s.membrane.damage.parameters[0].value.value == 0.3);
-  ck_assert(s.time.end == 5 && s.stop.steady == 1e-6);
-  scene_free(&s);
-}
-END_TEST
-
-START_TEST(an_empty_setting_removes_the_key) {
-  Scene s = read_good(MEMBRANE "  damage: {law: marigo}\n" SHEAR END, "membrane.damage=");
-  ck_assert(!s.membrane.has_damage);
-  scene_free(&s);
-  static const char *const sets[] = {
-      "flow.capillary_number=", "flow.physical={radius: 1 m, viscosity: 1 Pa.s, shear_rate: 1 1/s}",
-      "flow.physical.shear_modulus=2 N/m"};
-  Error error;
-  const char *text = MEMBRANE SHEAR END;
-  ck_assert_int_eq(scene_read_text(&s, "scene.yaml", text, strlen(text), sets, 3, &error), STATUS_OK);
-  ck_assert(s.flow.is_physical && s.flow.shear_modulus.value == 2);
-  scene_free(&s);
-}
-END_TEST
-
-START_TEST(settings_that_are_wrong_name_themselves) {
-  static const struct {
-    const char *set, *words;
-  } table[] = {
-      {"flow.capilary_number=1", "did you mean `flow.capillary_number`?"},
-      {"flow.capillary_number=fast", "expected a number above 0 for `flow.capillary_number`, found `fast`"},
-      {"flow.capillary_number=-1", "found `-1`"},
-      {"flow.capillary_number", "expected KEY=VALUE, found no `=`"},
-      {"=1", "expected a key"},
-      {"flow.=1", "expected a key"},
-      {".flow=1", "expected a key"},
-      {"flow..kind=1", "expected a key"},
-      {"schema.x=1", "expected a mapping under `schema`, found `1`"},
-      {"flow=simple_shear", "expected a mapping for `flow`"},
-      {"name=[a", "expected YAML, found a mistake"},
-      {"name=*a", "expected a value, found the alias `*a`"},
-      {"name=a\n---\nb", "expected one document"},
-      {"name=#", "expected a value, found nothing"},
-      {"flow.path=[[0, 0], [1, 1]]", "`flow.path` only where `flow.kind` is `inflation`"},
-      {"flow.kind=", "expected the key `flow.kind`"},
-  };
-  for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
-    Scene scene;
-    Error error;
-    const char *text = MEMBRANE SHEAR END;
-    Status status = scene_read_text(&scene, "scene.yaml", text, strlen(text), &table[i].set, 1, &error);
-    ck_assert_int_eq(status, STATUS_INPUT);
-    ck_assert_msg(strstr(error.text, table[i].words) != NULL, "%s", error.text);
-    char place[100];
-    snprintf(place, sizeof place, "--set %s: ", table[i].set);
-    bool is_missing = strcmp(table[i].set, "flow.kind=") == 0; /* the mapping that lacks the key is named */
-    ck_assert_msg(is_missing || strncmp(error.text, place, strlen(place)) == 0, "%s", error.text);
-  }
-}
-END_TEST
-
 static void expect_same_law(const SceneLaw *a, const SceneLaw *b) {
   if (a->law || b->law) ck_assert_str_eq(a->law, b->law);
   ck_assert_uint_eq(a->n_parameters, b->n_parameters);
@@ -581,26 +510,18 @@ START_TEST(a_failed_allocation_anywhere_is_an_error_and_leaks_nothing) {
 END_TEST
 
 int main(void) {
-  return suite_run("scene", (SuiteTests){every_key_lands_in_the_scene,
-                                         a_short_scene_gets_the_documented_defaults,
-                                         accuracy_sets_method_and_tolerance_unless_they_are_given,
-                                         gradients_of_the_named_flows_are_those_of_their_formulas,
-                                         an_inflation_has_a_path_and_no_capillary_number,
-                                         physical_values_are_kept_in_si_units,
-                                         typing_follows_the_schema_not_the_spelling,
-                                         unknown_keys_are_refused_with_the_nearest_name,
-                                         missing_keys_are_named_with_the_mapping_that_lacks_them,
-                                         keys_that_exclude_each_other_are_refused,
-                                         wrong_types_are_refused,
-                                         values_out_of_range_are_refused,
-                                         gradients_and_paths_that_make_no_sense_are_refused,
-                                         quantities_and_parameters_that_make_no_sense_are_refused,
-                                         a_missing_scene_file_is_wrong_input,
-                                         settings_replace_and_add_in_order,
-                                         an_empty_setting_removes_the_key,
-                                         settings_that_are_wrong_name_themselves,
-                                         resolved_scenes_read_back_to_the_same_bits,
-                                         the_scenes_that_ship_are_read,
-                                         a_failed_allocation_anywhere_is_an_error_and_leaks_nothing,
-                                         NULL});
+  return suite_run(
+      "scene",
+      (SuiteTests){every_key_lands_in_the_scene, a_short_scene_gets_the_documented_defaults,
+                   accuracy_sets_method_and_tolerance_unless_they_are_given,
+                   gradients_of_the_named_flows_are_those_of_their_formulas,
+                   an_inflation_has_a_path_and_no_capillary_number, physical_values_are_kept_in_si_units,
+                   typing_follows_the_schema_not_the_spelling, unknown_keys_are_refused_with_the_nearest_name,
+                   missing_keys_are_named_with_the_mapping_that_lacks_them,
+                   keys_that_exclude_each_other_are_refused, wrong_types_are_refused,
+                   values_out_of_range_are_refused, gradients_and_paths_that_make_no_sense_are_refused,
+                   quantities_and_parameters_that_make_no_sense_are_refused,
+                   a_missing_scene_file_is_wrong_input, resolved_scenes_read_back_to_the_same_bits,
+                   the_scenes_that_ship_are_read, a_failed_allocation_anywhere_is_an_error_and_leaks_nothing,
+                   NULL});
 }
