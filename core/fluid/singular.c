@@ -1,34 +1,36 @@
-/* Expansion of each element about the node, then the polar rule that fits the metric there. */
+/* Each element as a polynomial about the node, and the polar points that fit its shape there. */
 #include "fluid/singular.h"
 
 #include "base/array.h"
 #include "base/vec3.h"
+#include "fluid/piece.h"
+#include "fluid/polar_kernel.h"
 #include "mesh/p2.h"
 
 #include <math.h>
+#include <stdbool.h>
 
-enum { ANGULAR_STEPS = 3, MORE_ANGLES = 4 };
-
-struct SingularRule {
-  bool in_tangent_plane;
-  PolarGauss gauss[ANGULAR_STEPS]; /* with n_angular, n_angular + MORE_ANGLES, ... */
-  double expand[6][6][6]; /* [local node][coefficient][node]: expansion about a local node from the six */
-};
-
-/* |a1 x a2| / (|a1|^2 + |a2|^2) of an element squashed to a line is 0; of an equilateral one, 0.43. */
+/* |a1 x a2| / (|a1|^2 + |a2|^2) is 0 for an element squashed to a line, 0.43 for an equilateral one. */
 static const double DEGENERATE = 1e-10;
 
-/* d2/dxi2, d2/dxi deta, d2/deta2 of the shape functions: constants. */
-static const double SECOND[3][6] = {{4, 4, 0, -8, 0, 0}, {4, 0, 0, -4, 4, -4}, {4, 0, 4, 0, 0, -8}};
+/* Range of w (polar_kernel.h) from which on a triangle counts as long: an equilateral one has 1.1 as seen
+ * from a corner, 2.1 as seen from the middle of an edge. */
+static const double LONG_RANGE = 3.5;
 
-Status singular_new(SingularRule **out, const PolarScheme *scheme, Error *error) {
-  Status status = STATUS_OK;
-  SingularRule *rule = NULL;
-  TRY(ARRAY_NEW(&rule, 1, error));
-  rule->in_tangent_plane = scheme->in_tangent_plane;
-  for (int i = 0; i < ANGULAR_STEPS; i++) {
-    polar_gauss(scheme->n_radial, scheme->n_angular + i * MORE_ANGLES, &rule->gauss[i]);
-  }
+struct SingularRule {
+  PolarPlane plane;
+  PolarGauss gauss, gauss_long;
+  OffsetPoints parametric[6]; /* for each local node */
+  int n_parametric[6];        /* of which this many are points */
+  double expand[6][6][6];     /* [local node][coefficient][node]: expansion about a local node */
+};
+
+/* Parametric corners of the triangles with their apex at each local node: one or two. */
+static const int OPPOSITE[6][3] = {{1, 2, -1}, {2, 0, -1}, {0, 1, -1}, {1, 2, 0}, {2, 0, 1}, {0, 1, 2}};
+
+static void fill_expansions(SingularRule *rule) {
+  /* d2/dxi2, d2/dxi deta, d2/deta2 of the shape functions */
+  static const double second[3][6] = {{4, 4, 0, -8, 0, 0}, {4, 0, 0, -4, 4, -4}, {4, 0, 4, 0, 0, -8}};
   for (int local = 0; local < 6; local++) {
     double dN[6][2];
     p2_gradients(p2_node[local][0], p2_node[local][1], dN);
@@ -37,10 +39,41 @@ Status singular_new(SingularRule **out, const PolarScheme *scheme, Error *error)
     for (int k = 0; k < 6; k++) {
       expand[1][k] = dN[k][0];
       expand[2][k] = dN[k][1];
-      expand[3][k] = SECOND[0][k] / 2;
-      expand[4][k] = SECOND[1][k];
-      expand[5][k] = SECOND[2][k] / 2;
+      expand[3][k] = second[0][k] / 2;
+      expand[4][k] = second[1][k];
+      expand[5][k] = second[2][k] / 2;
     }
+  }
+}
+
+static void fill_parametric(SingularRule *rule) {
+  static const double metric[3] = {1, 0, 1};
+  for (int local = 0; local < 6; local++) {
+    PolarPoint polar[POLAR_MAX_POINTS];
+    OffsetPoints *points = &rule->parametric[local];
+    int n = polar_points(&rule->gauss, local, metric, polar);
+    rule->n_parametric[local] = n;
+    points->n = (n + OSEEN_LANES - 1) / OSEEN_LANES * OSEEN_LANES;
+    for (int i = 0; i < points->n; i++) {
+      const PolarPoint *point = &polar[i < n ? i : 0];
+      points->s[i] = point->dxi;
+      points->t[i] = point->deta;
+      points->weight[i] = i < n ? point->weight : 0;
+    }
+  }
+}
+
+Status singular_new(SingularRule **out, const PolarScheme *scheme, Error *error) {
+  Status status = STATUS_OK;
+  SingularRule *rule = NULL;
+  TRY(ARRAY_NEW(&rule, 1, error));
+  rule->plane = scheme->plane;
+  polar_gauss(scheme->n_radial, scheme->n_angular, &rule->gauss);
+  fill_expansions(rule);
+  if (scheme->plane == POLAR_PARAMETRIC) {
+    fill_parametric(rule);
+  } else {
+    polar_gauss(scheme->n_radial, scheme->n_angular_long, &rule->gauss_long);
   }
   *out = rule;
 cleanup:
@@ -51,67 +84,71 @@ void singular_free(SingularRule *rule) {
   array_free(rule);
 }
 
-/* The element about local node `local`, with positions as seen from there. */
-static void expand_element(const SingularRule *rule, const int element[6], int local, const double *x,
-                           const double *q, PieceExpansion *expansion) {
-  const double *origin = x + 3 * element[local];
-  double node[6][6];
-  for (int k = 0; k < 6; k++) {
-    vec3_subtract(x + 3 * element[k], origin, node[k]);
-    for (int c = 0; c < 3; c++) node[k][c + 3] = q[3 * element[k] + c];
+/* The triangle (node, from, to) in the tangent plane spanned by a1, a2. */
+static ApexTriangle apex_triangle(const double a1[3], const double a2[3], const double node[2],
+                                  const double from[2], const double to[2]) {
+  ApexTriangle triangle = {.a = {from[0] - node[0], from[1] - node[1]},
+                           .b = {to[0] - node[0], to[1] - node[1]}};
+  const double *a = triangle.a, *b = triangle.b;
+  double side[3], edge[3], normal[3];
+  for (int c = 0; c < 3; c++) {
+    side[c] = a1[c] * a[0] + a2[c] * a[1];
+    edge[c] = a1[c] * (b[0] - a[0]) + a2[c] * (b[1] - a[1]);
   }
-  for (int m = 0; m < 6; m++) {
-    for (int c = 0; c < 6; c++) {
-      double sum = 0;
-      for (int k = 0; k < 6; k++) sum += rule->expand[local][m][k] * node[k][c];
-      expansion->coefficient[m][c] = sum;
-    }
+  vec3_cross(side, edge, normal);
+  double length2 = vec3_dot(edge, edge), height_length = vec3_norm(normal),
+         foot_length = vec3_dot(side, edge);
+  triangle.area = a[0] * b[1] - a[1] * b[0];
+  triangle.height_over_edge = height_length / length2;
+  triangle.foot_over_edge = foot_length / length2;
+  triangle.w0 = asinh(foot_length / height_length);
+  triangle.range = asinh((foot_length + length2) / height_length) - triangle.w0;
+  return triangle;
+}
+
+/* Points of both triangles in the tangent plane. */
+static void tangent_points(const SingularRule *rule, const Expansion *expansion, int local,
+                           OffsetPoints *points) {
+  points->n = 0;
+  const double *a1 = expansion->coefficient[1], *a2 = expansion->coefficient[2];
+  for (int k = 0; k < 2 && OPPOSITE[local][k + 1] >= 0; k++) {
+    ApexTriangle triangle =
+        apex_triangle(a1, a2, p2_node[local], p2_node[OPPOSITE[local][k]], p2_node[OPPOSITE[local][k + 1]]);
+    apex_points(&triangle, triangle.range > LONG_RANGE ? &rule->gauss_long : &rule->gauss, points);
   }
 }
 
-/* Ratio of the largest to the smallest stretch of the metric g, against the equilateral triangle. */
-static double metric_aspect(const double g[3]) {
-  /* In the frame of the equilateral triangle: e1 = a1, e2 = (2 a2 - a1) / sqrt(3). */
-  double g11 = g[0], g12 = (2 * g[1] - g[0]) / sqrt(3), g22 = (4 * g[2] - 4 * g[1] + g[0]) / 3;
-  double mean = (g11 + g22) / 2, half = hypot((g11 - g22) / 2, g12);
-  return sqrt((mean + half) / (mean - half));
+static bool has_tangent_plane(const Expansion *expansion) {
+  const double *a1 = expansion->coefficient[1], *a2 = expansion->coefficient[2];
+  double normal[3];
+  vec3_cross(a1, a2, normal);
+  return vec3_norm(normal) > DEGENERATE * (vec3_dot(a1, a1) + vec3_dot(a2, a2));
 }
 
-static const PolarGauss *choose_gauss(const SingularRule *rule, const double g[3]) {
-  if (!rule->in_tangent_plane) return &rule->gauss[0];
-  double aspect = metric_aspect(g);
-  return &rule->gauss[aspect < 2 ? 0 : aspect < 4 ? 1 : 2];
-}
-
-static int pack_element(const SingularRule *rule, const int element[6], int local, const double *x,
-                        const double *q, PointPack *pack) {
-  PieceExpansion expansion;
-  expand_element(rule, element, local, x, q, &expansion);
-  const double *a1 = expansion.coefficient[1], *a2 = expansion.coefficient[2];
-  double g[3] = {vec3_dot(a1, a1), vec3_dot(a1, a2), vec3_dot(a2, a2)}, area[3];
-  vec3_cross(a1, a2, area);
-  if (!(vec3_norm(area) > DEGENERATE * (g[0] + g[2]))) return -1;
-
-  const double parametric[3] = {1, 0, 1};
-  PolarPoint polar[POLAR_MAX_POINTS];
-  int n = polar_points(choose_gauss(rule, g), local, rule->in_tangent_plane ? g : parametric, polar);
-  double s[POLAR_MAX_POINTS], t[POLAR_MAX_POINTS], weight[POLAR_MAX_POINTS];
-  for (int i = 0; i < n; i++) {
-    s[i] = polar[i].dxi;
-    t[i] = polar[i].deta;
-    weight[i] = polar[i].weight;
+static int gather_element(const SingularRule *rule, const int element[6], int local, const double *x,
+                          const double *q, Gather *gather) {
+  Piece piece;
+  Expansion expansion;
+  piece_load(element, x, q, &piece);
+  expansion_set((const double(*)[6])rule->expand[local], &piece, &expansion);
+  if (!has_tangent_plane(&expansion)) return -1;
+  const OffsetPoints *points = &rule->parametric[local];
+  int n = rule->n_parametric[local];
+  OffsetPoints tangent;
+  if (rule->plane == POLAR_TANGENT) {
+    tangent_points(rule, &expansion, local, &tangent);
+    points = &tangent;
+    n = tangent.n;
   }
-  pack_reserve(pack, n);
-  expansion_points(&expansion, n, s, t, weight, &pack->points, pack->n);
-  pack->n += n;
+  expansion_points(&expansion, points, gather_reserve(gather, points->n / OSEEN_LANES));
   return n;
 }
 
-int singular_pack(const SingularRule *rule, const Mesh *mesh, const double *x, const double *q, int p,
-                  PointPack *pack) {
+int singular_gather(const SingularRule *rule, const Mesh *mesh, const double *x, const double *q, int p,
+                    Gather *gather) {
   int total = 0;
   for (int i = mesh->node_start[p]; i < mesh->node_start[p + 1]; i++) {
-    int n = pack_element(rule, mesh->element[mesh->node_element[i]], mesh->node_local[i], x, q, pack);
+    int n = gather_element(rule, mesh->element[mesh->node_element[i]], mesh->node_local[i], x, q, gather);
     if (n < 0) return -1;
     total += n;
   }
