@@ -1,0 +1,73 @@
+#!/bin/sh
+# Wrong input ends with exit code 2 (or 1 where a file is at fault) and a message that names the place and what to do.
+. "$(dirname "$0")/common.sh"
+
+good="$root/configs/shear_quick.yaml"
+
+# refused EXIT PATTERN ARGUMENTS...: the program must end with EXIT and print a line that matches PATTERN.
+refused() {
+  expected=$1 pattern=$2
+  shift 2
+  code=0
+  "$capsella" run "$@" -o out --quiet 2>message || code=$?
+  [ "$code" = "$expected" ] || fail "exit code $code, expected $expected: $* ($(cat message))"
+  grep -Eq "$pattern" message || fail "no match for '$pattern' in: $(cat message)"
+}
+
+# edited SED-SCRIPT: the good scene, changed
+edited() {
+  sed "$1" "$good" >scene.yaml
+  cmp -s "$good" scene.yaml && fail "the edit '$1' changes nothing"
+  return 0
+}
+
+edited 's/capillary_number/capilary_number/'
+refused 2 '^scene.yaml:[0-9]+:[0-9]+: .*capilary_number.*did you mean `flow.capillary_number`' scene.yaml
+
+edited 's/^accuracy: draft/accuracy: draft\naccuracy: fine/'
+refused 2 '^scene.yaml:[0-9]+:[0-9]+: .*accuracy' scene.yaml
+
+edited 's/subdivisions: 2/subdivisions: two/'
+refused 2 '^scene.yaml:[0-9]+:[0-9]+: .*expected.*two' scene.yaml
+
+edited 's/subdivisions: 2/subdivisions: 9/'
+refused 2 '^scene.yaml:[0-9]+:[0-9]+: .*expected.*7.*9' scene.yaml
+
+refused 2 '^nowhere.yaml: .*No such file' nowhere.yaml
+
+edited 's/law: marigo/law: marigoo/'
+refused 2 '^scene.yaml:[0-9]+:[0-9]+: .*marigoo.*did you mean `marigo`' scene.yaml
+
+edited "s|law: marigo|law: $(dirname "$capsella")/tests/broken/wrong_major.so|"
+refused 2 '^scene.yaml:[0-9]+:[0-9]+: ' scene.yaml
+grep -Eq 'ABI 2' message || fail "the foreign ABI is not named: $(cat message)"
+
+edited 's/Y_D: 0.2/Y_D: -0.2/'
+refused 2 '^scene.yaml:[0-9]+:[0-9]+: parameter Y_D of law marigo: expected at least 0, found -0.2' scene.yaml
+
+edited 's/Y_D: 0.2/Y_d: 0.2/'
+refused 2 '^scene.yaml:[0-9]+:[0-9]+: .*Y_d.*did you mean `Y_D`' scene.yaml
+
+edited 's/^  end: 2/  end: 2\n  step: 0.1/'
+refused 2 'step.*0.1.*stability limit' scene.yaml
+
+# A folder that cannot be made: a file is in the way.
+touch taken
+code=0
+"$capsella" run "$good" -o taken --quiet 2>message || code=$?
+[ "$code" = 1 ] && grep -q taken message || fail "a folder that cannot be made: $code $(cat message)"
+
+# The only snapshot is cut off: said, and the run starts anew.
+"$capsella" run "$good" -o cut --quiet --set time.end=0.1 --set output.snapshot_every=0
+for snapshot in cut/snapshot_*.vtkhdf; do
+  head -c 5000 "$snapshot" >part && mv part "$snapshot"
+done
+"$capsella" run "$good" -o cut --quiet --set time.end=0.1 --set output.snapshot_every=0 --resume
+grep -q 'snapshot_000000.vtkhdf' cut/log.txt || fail "the damaged snapshot is not named in the log: $(cat cut/log.txt)"
+
+# Unknown option, subcommand, and a --set that is no KEY=VALUE.
+refused 2 'usage:' "$good" --fast
+refused 2 'set' "$good" --set nonsense
+code=0
+"$capsella" rum 2>message || code=$?
+[ "$code" = 2 ] && grep -q "did you mean 'run'" message || fail "misspelt subcommand: $code $(cat message)"
