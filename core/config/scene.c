@@ -117,30 +117,40 @@ static void fill_gradient(FlowKind kind, double gradient[3][3]) {
   }
 }
 
-/* What concerns several values at once. */
+static Status check_axis(const YamlNode *root, const double axis[3], Error *error) {
+  const YamlNode *mapping, *node = find(root, "capsule.mesh.rotation.axis", &mapping);
+  if (!node || axis[0] != 0 || axis[1] != 0 || axis[2] != 0) return STATUS_OK;
+  return place_error(&node->place, error, "expected an axis with a direction, found [0, 0, 0]");
+}
+
+static Status check_gradient(const YamlNode *root, const double gradient[3][3], Error *error) {
+  const YamlNode *mapping, *node = find(root, "flow.gradient", &mapping);
+  double trace = gradient[0][0] + gradient[1][1] + gradient[2][2], size = 0;
+  for (int i = 0; i < 9; i++) size = fmax(size, fabs(gradient[i / 3][i % 3]));
+  /* decimal fractions need not cancel to the last bit */
+  if (!node || fabs(trace) <= 1e-12 * size) return STATUS_OK;
+  return place_error(&node->place, error,
+                     "expected a gradient with trace 0 (the fluid is incompressible), found trace %g", trace);
+}
+
+static Status check_path(const YamlNode *root, const Scene *scene, Error *error) {
+  const YamlNode *mapping, *node = find(root, "flow.path", &mapping);
+  if (!node) return STATUS_OK;
+  double last = scene->flow.path[scene->flow.n_path - 1][0];
+  if (last >= scene->time.end) return STATUS_OK;
+  return place_error(&node->place, error, "expected a path to `time.end` = %g, found one to t = %g",
+                     scene->time.end, last);
+}
+
+/* What no row can see by itself. */
 static Status complete(const YamlNode *root, Scene *scene, Error *error) {
-  const YamlNode *mapping, *node;
-  const double *axis = scene->mesh.rotation_axis;
-  node = find(root, "capsule.mesh.rotation.axis", &mapping);
-  if (node && axis[0] == 0 && axis[1] == 0 && axis[2] == 0)
-    return place_error(&node->place, error, "expected an axis with a direction, found [0, 0, 0]");
-
+  Status status;
   fill_gradient(scene->flow.kind, scene->flow.gradient);
-  double trace = 0, size = 0;
-  for (int i = 0; i < 3; i++) trace += scene->flow.gradient[i][i];
-  for (int i = 0; i < 9; i++) size = fmax(size, fabs(scene->flow.gradient[i / 3][i % 3]));
-  node = find(root, "flow.gradient", &mapping);
-  if (node && fabs(trace) > 1e-12 * size) /* decimal fractions need not cancel to the last bit */
-    return place_error(&node->place, error,
-                       "expected a gradient with trace 0 (the fluid is incompressible), "
-                       "found trace %g",
-                       trace);
-
-  node = find(root, "flow.path", &mapping);
-  if (node && scene->flow.path[scene->flow.n_path - 1][0] < scene->time.end)
-    return place_error(&node->place, error, "expected a path to `time.end` = %g, found one to t = %g",
-                       scene->time.end, scene->flow.path[scene->flow.n_path - 1][0]);
-  return STATUS_OK;
+  TRY(check_axis(root, scene->mesh.rotation_axis, error));
+  TRY(check_gradient(root, (const double(*)[3])scene->flow.gradient, error));
+  TRY(check_path(root, scene, error));
+cleanup:
+  return status;
 }
 
 /* Keeps the texts that places point to as long as the scene. */
