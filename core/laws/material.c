@@ -4,34 +4,42 @@
 #include "laws/material.h"
 
 #include "base/array.h"
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
 /* ---- Checks of values ---- */
 
-/* 0 for 0.0 and something else for 1.0.  Verdicts on many points are collected as the bits of doubles, since
- * compilers vectorise a choice of doubles and an OR of integers, but not an OR of comparisons. */
-static inline uint64_t verdict(double zero_or_one) {
-  uint64_t bits;
-  memcpy(&bits, &zero_or_one, sizeof bits);
-  return bits;
+/* Verdicts on many points are collected as the bits of doubles: a subtraction and an OR of integers, which
+ * vectorise on every machine, where comparisons do not. */
+static inline uint64_t bits(double x) {
+  uint64_t pattern;
+  memcpy(&pattern, &x, sizeof pattern);
+  return pattern;
 }
 
-/* First entry that is not in the open range (above, infinity), or -1; NaN is in no range.  The test of all
- * comes first, since it nearly always passes. */
-static ptrdiff_t first_outside(const double *x, ptrdiff_t n, double above) {
-  uint64_t bad = 0;
-  for (ptrdiff_t i = 0; i < n; i++) {
-    bad |= verdict(x[i] > above ? 0.0 : 1.0) | verdict(x[i] < INFINITY ? 0.0 : 1.0);
-  }
-  if (!bad) return -1;
+static inline bool has_sign(uint64_t pattern) {
+  return pattern >> 63;
+}
+
+/* First entry that is not finite, or -1.  x - x is 0, without a bit set, exactly for finite x. */
+static ptrdiff_t first_not_finite(const double *x, ptrdiff_t n) {
+  uint64_t any = 0;
+  for (ptrdiff_t i = 0; i < n; i++) any |= bits(x[i] - x[i]);
+  if (!any) return -1;
   ptrdiff_t i = 0;
-  while (x[i] > above && x[i] < INFINITY) i++;
+  while (isfinite(x[i])) i++;
   return i;
 }
 
-static ptrdiff_t first_not_finite(const double *x, ptrdiff_t n) {
-  return first_outside(x, n, -INFINITY);
+/* First entry of finite I2 at which no area is left (I2 <= -1), or -1. */
+static ptrdiff_t first_collapsed(const double *x, ptrdiff_t n) {
+  uint64_t any = 0;
+  for (ptrdiff_t i = 0; i < n; i++) any |= bits((x[i] + 1.0) - DBL_MIN);
+  if (!has_sign(any)) return -1;
+  ptrdiff_t i = 0;
+  while (x[i] > -1.0) i++;
+  return i;
 }
 
 /* Refuses the trial step when an output [n_rows][ld] holds a value that is not finite. */
@@ -64,7 +72,8 @@ static Status law_says(const char *law, int code, const mlaw_error *err, ptrdiff
 
 static Status check_strain(const ElasticBatch *batch, ptrdiff_t *point, Error *error) {
   ptrdiff_t i = first_not_finite(batch->I1, batch->n);
-  if (i < 0) i = first_outside(batch->I2, batch->n, -1.0);
+  if (i < 0) i = first_not_finite(batch->I2, batch->n);
+  if (i < 0) i = first_collapsed(batch->I2, batch->n);
   if (i < 0) return STATUS_OK;
   if (point) *point = i;
   return error_set(error, STATUS_REJECT,
@@ -107,12 +116,13 @@ cleanup:
 /* Ymax1 = max(Ymax0, Y); says whether any point went beyond what it has seen (NaN counts as beyond). */
 static bool update_Ymax(ptrdiff_t n, const double *restrict Y, const double *restrict Ymax0,
                         double *restrict Ymax1) {
-  uint64_t grown = 0;
+  uint64_t differences = 0, not_finite = 0;
   for (ptrdiff_t i = 0; i < n; i++) {
-    Ymax1[i] = Y[i] <= Ymax0[i] ? Ymax0[i] : Y[i];
-    grown |= verdict(Y[i] <= Ymax0[i] ? 0.0 : 1.0);
+    Ymax1[i] = Ymax0[i] > Y[i] ? Ymax0[i] : Y[i];
+    differences |= bits(Ymax0[i] - Y[i]);
+    not_finite |= bits(Y[i] - Y[i]);
   }
-  return grown != 0;
+  return has_sign(differences) || not_finite;
 }
 
 /* d1 = min(d_max, max(d0, d1)) */

@@ -133,7 +133,7 @@ static Status linker_says(const char *file, Error *error) {
 
 static Status no_entry(void *handle, Error *error) {
   for (int major = 0; major <= 9; major++) {
-    char name[sizeof "mlaw_plugin_v0"];
+    char name[32];
     snprintf(name, sizeof name, "mlaw_plugin_v%d", major);
     if (dlsym(handle, name)) {
       REFUSE("the plugin speaks ABI %d (it exports %s), this host speaks ABI %d", major, name,
