@@ -11,6 +11,7 @@ static const struct {
 } COMMANDS[] = {
     {"run", command_run, "run a scene: deformation, damage and rupture of a capsule"},
     {"laws", command_laws, "list the laws of membrane and damage, show one"},
+    {"report", command_report, "make a picture of the last state in a folder of results"},
     {"manual", command_manual, "print every key of a scene file (Markdown)"},
 };
 enum { N_COMMANDS = sizeof COMMANDS / sizeof *COMMANDS };

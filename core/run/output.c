@@ -52,7 +52,6 @@ Status output_open(Output *output, const char *folder, const Simulation *s, Erro
   const size_t nodes = (size_t)s->mesh.n_nodes, points = (size_t)membrane_points(s->membrane);
   *output = (Output){.folder = folder, .last_row_t = NAN};
   TRY(print_resolved(output, s, error));
-  TRY(write_resolved(output, error));
   TRY(ARRAY_NEW(&output->d, nodes, error));
   TRY(ARRAY_NEW(&output->Y, nodes, error));
   TRY(ARRAY_NEW(&output->T1, nodes, error));
@@ -79,6 +78,7 @@ void output_close(Output *output) {
 Status output_start(Output *output, const Simulation *s, Error *error) {
   Text path = {0};
   Status status = STATUS_OK;
+  TRY(write_resolved(output, error));
   TRY(join(&path, output, "history.csv", error));
   TRY(history_open(&output->history, path.data, history_kind(s), error));
 cleanup:
@@ -143,7 +143,7 @@ static size_t restart_items(Output *output, Simulation *s, Record *record, Resta
   return n;
 }
 
-static void nodal_fields(Output *output, const Simulation *s) {
+void output_nodal_fields(Output *output, const Simulation *s) {
   const double G = s->material.shear_modulus;
   const int points = membrane_points(s->membrane), nodes = s->mesh.n_nodes;
   const MembranePoints view = membrane_points_view(s->membrane);
@@ -167,7 +167,7 @@ Status output_snapshot(Output *output, Simulation *s, Record *record, Error *err
   const int number =
       (int)output->snapshot_number++; /* counted first: the file names the one that comes next */
   TRY(record_probe(record, s->motion->t, error));
-  nodal_fields(output, s);
+  output_nodal_fields(output, s);
   TRY(history_sync(&output->history, error));
   const SnapshotField fields[] = {
       {.name = "q", .components = 3, .values = s->motion->q},
@@ -210,22 +210,31 @@ cleanup:
   return status;
 }
 
-Status output_resume(Output *output, Simulation *s, Record *record, Log *log, bool *found, Error *error) {
+Status output_restore(Output *output, Simulation *s, Record *record, Log *log, int *number, Error *error) {
   Status status = STATUS_OK;
-  Text snapshot = {0}, history = {0};
+  Text snapshot = {0};
   RestartItem items[MAX_RESTART_ITEMS];
-  int number = -1;
-  *found = false;
-  TRY(snapshot_find_newest(output->folder, &snapshot, &number, log, error));
-  if (number < 0) goto cleanup;
+  TRY(snapshot_find_newest(output->folder, &snapshot, number, log, error));
+  if (*number < 0) goto cleanup;
   TRY(compare_scenes(output, snapshot.data, log, error));
   TRY(snapshot_read_restart(snapshot.data, items, restart_items(output, s, record, items), error));
+cleanup:
+  text_free(&snapshot);
+  return status;
+}
+
+Status output_resume(Output *output, Simulation *s, Record *record, Log *log, bool *found, Error *error) {
+  Status status = STATUS_OK;
+  Text history = {0};
+  int number;
+  TRY(output_restore(output, s, record, log, &number, error));
+  *found = number >= 0;
+  if (!*found) goto cleanup;
+  TRY(write_resolved(output, error));
   TRY(join(&history, output, "history.csv", error));
   TRY(history_resume(&output->history, history.data, history_kind(s), output->history.bytes, error));
   TRY(series_restore(&output->series, output->folder, number, log, error));
-  *found = true;
 cleanup:
-  text_free(&snapshot);
   text_free(&history);
   return status;
 }

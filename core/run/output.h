@@ -22,9 +22,11 @@ typedef struct {
   double *d, *Y, *T1, *T2, *points; /* [n_nodes], [n_points] scratch for nodal fields */
 } Output;
 
-/* Writes resolved.yaml and opens the history, anew or (resume) cut back to where the snapshot stands. */
+/* Makes ready; nothing is written yet. */
 Status output_open(Output *output, const char *folder, const Simulation *simulation, Error *error);
 void output_close(Output *output);
+
+/* A new run: writes resolved.yaml and starts the history. */
 Status output_start(Output *output, const Simulation *simulation, Error *error);
 
 /* Time of the next sample or snapshot; INFINITY when none is asked for. */
@@ -36,8 +38,16 @@ Status output_row(Output *output, const HistoryRow *row, Error *error);
 /* The accepted state, with the record's probe there. */
 Status output_snapshot(Output *output, Simulation *simulation, Record *record, Error *error);
 
-/* Restores simulation, record and history from the newest whole snapshot of the folder.  `found` is false
- * when there is none: the run then starts anew. */
+/* Fields at the nodes, of the membrane's last evaluation, into output->d, Y, T1, T2. */
+void output_nodal_fields(Output *output, const Simulation *simulation);
+
+/* Restores simulation and record from the newest whole snapshot of the folder; `number` is -1 when there is
+ * none. */
+Status output_restore(Output *output, Simulation *simulation, Record *record, Log *log, int *number,
+                      Error *error);
+
+/* The same, and takes up history and series where that snapshot stands.  `found` is false when there is no
+ * snapshot: the run then starts anew. */
 Status output_resume(Output *output, Simulation *simulation, Record *record, Log *log, bool *found,
                      Error *error);
 
