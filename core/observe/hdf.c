@@ -91,7 +91,8 @@ Status hdf_open(Hdf **hdf, const char *image, size_t length, Error *error) {
   Status status;
   hid_t access;
   TRY(begin(hdf, &access, error));
-  void *copied = (void *)(uintptr_t)image; /* HDF5 copies it, though it asks for a pointer that may be written */
+  void *copied =
+      (void *)(uintptr_t)image; /* HDF5 copies it, though it asks for a pointer that may be written */
   if (H5Pset_file_image(access, copied, length) < 0) TRY(failed(error, "take in", "a file image"));
   (*hdf)->file = H5Fopen("memory", H5F_ACC_RDONLY, access);
   if ((*hdf)->file < 0) TRY(failed(error, "open", "a file image"));

@@ -21,7 +21,7 @@ enum {
   TITLE_HEIGHT = 30, /* above the views */
   HEIGHT = TITLE_HEIGHT + VIEW_SIZE,
   BAR_WIDTH = 110, /* right of them, with its labels */
-  CUTS_MAX = 4,    /* of an element's edge */
+  CUTS_MAX = 4,
   PIECES_WANTED = 12000,
 };
 static const double FILLING = 0.78; /* part of a view's width that the capsule takes at most */
@@ -29,8 +29,8 @@ static const double FILLING = 0.78; /* part of a view's width that the capsule t
 typedef struct {
   double center[3];        /* of the box around the capsule */
   double scale;            /* pixels per length: the capsule fits however it is turned */
-  double minimum, maximum; /* of the colour bar */
-  int cuts;
+  double minimum, maximum; /* of the colour bar, with a field */
+  int cuts;                /* of an element's edge */
 } Frame;
 
 /* --- colours --- */
@@ -76,9 +76,26 @@ static int cuts_for(const Picture *picture) {
   return cuts < 1 ? 1 : cuts > CUTS_MAX ? CUTS_MAX : cuts;
 }
 
+/* The range given, else that of the field; widened where it is no more than round-off. */
+static void range_of(const Picture *picture, double *minimum, double *maximum) {
+  *minimum = picture->minimum;
+  *maximum = picture->maximum;
+  if (!(*maximum > *minimum)) {
+    *minimum = HUGE_VAL;
+    *maximum = -HUGE_VAL;
+    for (int p = 0; p < picture->mesh->n_nodes; p++) {
+      *minimum = fmin(*minimum, picture->field[p]);
+      *maximum = fmax(*maximum, picture->field[p]);
+    }
+  }
+  const double size = fmax(fabs(*minimum), fabs(*maximum));
+  if (*maximum - *minimum <= 1e-9 * size) *maximum = *minimum + fmax(size, 1);
+}
+
 static void frame_of(const Picture *picture, Frame *frame) {
   const int n = picture->mesh->n_nodes;
-  *frame = (Frame){.cuts = cuts_for(picture), .minimum = picture->minimum, .maximum = picture->maximum};
+  double half_width = 0;
+  *frame = (Frame){.cuts = cuts_for(picture)};
   for (int i = 0; i < 3; i++) {
     double low = HUGE_VAL, high = -HUGE_VAL;
     for (int p = 0; p < n; p++) {
@@ -87,17 +104,9 @@ static void frame_of(const Picture *picture, Frame *frame) {
     }
     frame->center[i] = 0.5 * (low + high);
   }
-  double half_width = 0;
   for (int p = 0; p < n; p++) half_width = fmax(half_width, vec3_distance(picture->x + 3 * p, frame->center));
   frame->scale = 0.5 * FILLING * VIEW_SIZE / half_width;
-  if (!picture->field || frame->maximum > frame->minimum) return;
-  frame->minimum = HUGE_VAL;
-  frame->maximum = -HUGE_VAL;
-  for (int p = 0; p < n; p++) {
-    frame->minimum = fmin(frame->minimum, picture->field[p]);
-    frame->maximum = fmax(frame->maximum, picture->field[p]);
-  }
-  if (frame->minimum == frame->maximum) frame->maximum = frame->minimum + 1; /* one colour */
+  if (picture->field) range_of(picture, &frame->minimum, &frame->maximum);
 }
 
 /* --- drawing --- */

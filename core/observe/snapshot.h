@@ -32,7 +32,7 @@ typedef struct {
 typedef struct {
   const Mesh *mesh;
   double t;
-  const double *x; /* [n_nodes][3]; reference positions come from the mesh as the field X */
+  const double *x; /* [n_nodes][3]; x and (from the mesh) X become fields by themselves */
   const SnapshotField *fields;
   size_t n_fields;
   const RestartItem *restart;

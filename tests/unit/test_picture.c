@@ -111,6 +111,15 @@ START_TEST(a_constant_field_is_drawn) {
 }
 END_TEST
 
+START_TEST(round_off_is_not_spread_over_the_colours) {
+  const Picture picture = of_sphere(0);
+  for (int p = 0; p < mesh.n_nodes; p++) field[p] = 2 + (p % 2 ? 4e-16 : 0);
+  Text svg = printed(&picture); /* the bar goes from 2 to 4 */
+  ck_assert_int_eq(occurrences(&svg, ">2<") + occurrences(&svg, ">3<") + occurrences(&svg, ">4<"), 3);
+  text_free(&svg);
+}
+END_TEST
+
 START_TEST(the_file_stays_below_a_megabyte_and_a_half) {
   for (int subdivisions = 0; subdivisions <= 5; subdivisions++) {
     const Picture picture = of_sphere(subdivisions);
@@ -145,6 +154,7 @@ int main(void) {
       suite_run("picture", (SuiteTests){the_document_is_well_formed, views_axes_and_colour_bar_are_labelled,
                                         labels_are_escaped, without_a_field_there_is_no_colour_bar,
                                         the_bar_keeps_a_range_that_is_given, a_constant_field_is_drawn,
+                                        round_off_is_not_spread_over_the_colours,
                                         the_file_stays_below_a_megabyte_and_a_half,
                                         what_is_not_finite_is_refused_with_its_node, NULL});
   array_free(field);
