@@ -80,6 +80,8 @@ Status direct_solve3(DirectSolver *solver, const double *b, double *x, Error *er
 
 #else
 
+#include <stddef.h>
+
 static Status direct_missing(Error *error) {
   return error_set(error, STATUS_INPUT,
                    "this program was built without UMFPACK: choose mass_solver: pcg, or build with "

@@ -20,9 +20,9 @@ void pcg_work_free(PcgWork *work);
 /* Solves A x = b, x and b [n][3]; x holds the start vector on entry.  Each of the three systems stops when
  * ||D^-1/2 (b - A x)|| <= tolerance * ||D^-1/2 b|| (D the diagonal of A), which keeps the true relative error
  * near `tolerance`: the eigenvalues of the scaled P2 mass matrix lie between 0.39 and 2.06 on any flat mesh
- * (Wathen 1987).  `iterations` counts those of the slowest system.  Runs on one thread, sums in a fixed order.
- * STATUS_REJECT, with x as it was, when not converged in max_iterations, when A is not positive or a value is
- * not finite. */
+ * (Wathen 1987).  `iterations` counts those of the slowest system.  Runs on one thread, sums in a fixed
+ * order. STATUS_REJECT, with x as it was, when not converged in max_iterations, when A is not positive or a
+ * value is not finite. */
 Status pcg_solve3(const SparseMatrix *matrix, const double *b, double *x, double tolerance,
                   int max_iterations, PcgWork *work, int *iterations, Error *error);
 

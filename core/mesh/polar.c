@@ -30,8 +30,7 @@ static int triangle_points(const PolarGauss *gauss, const double g[3], const dou
   double Theta = atan2(sine_sides, metric_product(g, a, b));
   double length_a = sqrt(metric_product(g, a, a)), length_b = sqrt(metric_product(g, b, b));
   double sine_Theta = sine_sides / (length_a * length_b);
-  double sine[POLAR_MAX_ANGULAR]; /* of t; Gauss points are symmetric, so that of Theta - t is the mirrored
-                                     one */
+  double sine[POLAR_MAX_ANGULAR]; /* of t; that of Theta - t is the mirrored one by symmetry of the points */
   for (int i = 0; i < gauss->n_angular; i++) sine[i] = sin(Theta * gauss->angle[i]);
   int n = 0;
   for (int i = 0; i < gauss->n_angular; i++) {

@@ -1,23 +1,18 @@
 /* Triangle rules as tables of orbits, Gauss-Legendre by Newton's iteration.
  *
  * The triangle rules are those of Dunavant, Int. J. Numer. Meth. Engng 21 (1985) 1129; the published
- * constants were refined on the moment equations of the symmetric polynomials until they hold to 20 digits.
- */
+ * constants were refined on the moment equations of the symmetric polynomials and hold to 20 digits. */
 #include "mesh/quadrature.h"
 
 #include <math.h>
 #include <stddef.h>
 
-/* The points whose barycentric coordinates are the permutations of (a, a, 1 - 2a) and of (a, b, 1 - a - b).
- */
-#define ORBIT_3(a)                                                                                           \
-  {a, a}, {1.0 - 2.0 * (a), a}, {                                                                            \
-    a, 1.0 - 2.0 * (a)                                                                                       \
-  }
-#define ORBIT_6(a, b)                                                                                        \
-  {a, b}, {b, a}, {a, 1.0 - (a) - (b)}, {1.0 - (a) - (b), a}, {b, 1.0 - (a) - (b)}, {                        \
-    1.0 - (a) - (b), b                                                                                       \
-  }
+/* The points whose barycentric coordinates are the permutations of (a, a, 1 - 2 a), of (a, b, 1 - a - b). */
+/* clang-format off */
+#define ORBIT_3(a) {a, a}, {1.0 - 2.0 * (a), a}, {a, 1.0 - 2.0 * (a)}
+#define ORBIT_6(a, b) {a, b}, {b, a}, {a, 1.0 - (a) - (b)}, {1.0 - (a) - (b), a}, \
+                      {b, 1.0 - (a) - (b)}, {1.0 - (a) - (b), b}
+/* clang-format on */
 #define TIMES_3(w) w, w, w
 #define TIMES_6(w) w, w, w, w, w, w
 

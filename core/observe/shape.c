@@ -13,8 +13,6 @@ enum { MOMENT_POINTS = 16 }; /* degree 8: exact for the second moments */
 /* Below this D12 the direction of e1 is round-off. */
 static const double ROUND_SHAPE = 1e-10;
 
-static const double PI = 3.14159265358979323846;
-
 /* Moments of the enclosed volume about a point. */
 typedef struct {
   double volume;
@@ -55,12 +53,6 @@ static void move_to_center(Moments *moments, const double center[3]) {
   double *second = moments->second;
   for (int i = 0; i < 3; i++)
     for (int j = i; j < 3; j++) *second++ -= moments->volume * center[i] * center[j];
-}
-
-/* Semi-axes of the solid ellipsoid with principal second moments m_k = (4 pi/15) a b c a_k^2. */
-static void semi_axes(const double m[3], double a[3]) {
-  double abc = pow(15.0 / (4.0 * PI) * cbrt(m[0] * m[1] * m[2]), 0.6);
-  for (int k = 0; k < 3; k++) a[k] = sqrt(15.0 * m[k] / (4.0 * PI * abc));
 }
 
 /* Unit vector along the part of v normal to `axis`; false when v lies along it. */
@@ -121,13 +113,14 @@ Status shape_measure(const Mesh *mesh, const double *x, const double vorticity_a
     error_prefix(error, "shape of the capsule: ");
     return status;
   }
-  if (!(value[0] > 0.0))
+  if (!(moments.volume > 0.0 && value[0] > 0.0))
     return error_set(
         error, STATUS_REJECT,
-        "shape of the capsule: expected positive second moments of the enclosed volume, found %g", value[0]);
+        "shape of the capsule: expected a positive volume and positive second moments, found %g and %g",
+        moments.volume, value[0]);
   shape->volume = surface_volume(mesh, x);
   shape->area = surface_area(mesh, x);
-  semi_axes(value, semi_axis);
+  for (int k = 0; k < 3; k++) semi_axis[k] = sqrt(5.0 * value[k] / moments.volume);
   name_axes(semi_axis, vector, vorticity_axis, shape);
   return STATUS_OK;
 }

@@ -5,11 +5,11 @@
 #include "base/status.h"
 #include "mesh/mesh.h"
 
-/* All dimensionless by a.  The ellipsoid, filled like the enclosed volume, has its inertia tensor; L3 belongs
- * to the axis nearest to the vorticity axis, L1 >= L2 to the other two; L are full axis lengths (2 for the
- * unit sphere).  Angles in the plane normal to the vorticity axis count from e_x (from e_y where the
- * vorticity axis is e_x), positive towards e_x x vorticity axis: towards e_z in the simple shear v = (z, 0,
- * 0). */
+/* All dimensionless by a.  The ellipsoid has the mass and the inertia tensor of the enclosed volume: its
+ * squared semi-axes are 5/V times the principal second moments.  L3 belongs to the axis nearest to the
+ * vorticity axis, L1 >= L2 to the other two; L are full axis lengths (2 for the unit sphere).  Angles in the
+ * plane normal to the vorticity axis count from e_x (from e_y where the vorticity axis is e_x), positive
+ * towards e_x x vorticity axis: towards e_z in the simple shear v = (z, 0, 0). */
 typedef struct {
   double volume, area;
   double center[3];

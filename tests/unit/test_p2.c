@@ -72,7 +72,7 @@ START_TEST(table_holds_the_rule_and_the_functions_at_its_points) {
 }
 END_TEST
 
-START_TEST(element_is_placed_and_its_tangents_differ_positions) {
+START_TEST(element_is_placed_and_its_tangents_differentiate_the_position) {
   /* Six nodes on a quadratic surface, listed out of order in x. */
   static const int node[6] = {5, 0, 3, 1, 4, 2};
   double x[18];
@@ -83,16 +83,12 @@ START_TEST(element_is_placed_and_its_tangents_differ_positions) {
     position[1] = 2.0 * eta + xi * eta;
     position[2] = xi * xi - eta;
   }
-  const double xi = 0.15, eta = 0.45;
-  double N[6], gradient[6][2], position[3], a1[3], a2[3];
-  p2_values(xi, eta, N);
-  p2_gradients(xi, eta, gradient);
-  p2_interpolate(x, node, N, position);
-  P2Table table = {.n = 1};
-  for (int p = 0; p < 6; p++)
-    for (int i = 0; i < 2; i++) table.dN[0][p][i] = gradient[p][i];
-  const P2Table constant = table;
-  p2_tangents(x, node, constant.dN[0], a1, a2);
+  static const double point[1][2] = {{0.15, 0.45}}, weight[1] = {0.5};
+  const double xi = point[0][0], eta = point[0][1];
+  const P2Table table = p2_table(&(TriangleRule){.n = 1, .point = point, .weight = weight});
+  double position[3], a1[3], a2[3];
+  p2_interpolate(x, node, table.N[0], position);
+  p2_tangents(x, node, table.dN[0], a1, a2);
   const double expected[3][3] = {{1.0 + xi - 0.3 * eta, 2.0 * eta + xi * eta, xi * xi - eta},
                                  {1.0, eta, 2.0 * xi},
                                  {-0.3, 2.0 + xi, -1.0}};
@@ -109,5 +105,5 @@ int main(void) {
                                       shape_functions_sum_to_one_and_their_gradients_to_zero,
                                       quadratic_fields_and_their_gradients_are_interpolated_exactly,
                                       table_holds_the_rule_and_the_functions_at_its_points,
-                                      element_is_placed_and_its_tangents_differ_positions, NULL});
+                                      element_is_placed_and_its_tangents_differentiate_the_position, NULL});
 }

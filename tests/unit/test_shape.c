@@ -179,14 +179,13 @@ START_TEST(moments_of_an_irregular_surface_are_integrated_exactly) {
   ck_assert_double_eq_tol(shape.volume, volume, 1e-13);
   for (int i = 0; i < 3; i++) ck_assert_double_eq_tol(shape.center[i], first[i] / volume, 1e-14);
 
-  /* The ellipsoid's own moments, (4 pi/15) abc a_k^2 along e_k, are those of the surface. */
+  /* The ellipsoid's own moments, V a_k^2/5 along e_k, are those of the surface. */
   const double *axis[3] = {shape.e1, shape.e2, shape.e3};
   const double a[3] = {0.5 * shape.L1, 0.5 * shape.L2, 0.5 * shape.L3};
   for (int i = 0; i < 3; i++)
     for (int j = 0; j < 3; j++) {
       double expected = second[i][j] - first[i] * first[j] / volume, found = 0.0;
-      for (int k = 0; k < 3; k++)
-        found += 4.0 * pi / 15.0 * a[0] * a[1] * a[2] * a[k] * a[k] * axis[k][i] * axis[k][j];
+      for (int k = 0; k < 3; k++) found += volume * a[k] * a[k] / 5.0 * axis[k][i] * axis[k][j];
       ck_assert_msg(fabs(found - expected) < 1e-13, "seed %llu, entry %d %d: %.17g, expected %.17g",
                     (unsigned long long)seed, i, j, found, expected);
     }
