@@ -4,6 +4,7 @@
 #include "laws/material.h"
 
 #include "base/array.h"
+#include "config/place.h"
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -275,7 +276,7 @@ static Status take_law(LoadedLaw *law, double **value, mlaw_field **field, LawKi
                        const SceneLaw *scene, const LawSearch *search, const LawScales *scales, Log *log,
                        Error *error) {
   Status status = law_load(law, kind, scene->law, search, error);
-  if (status != STATUS_OK) return law_place_error(&scene->place, error);
+  if (status != STATUS_OK) return place_prefix(&scene->place, error);
   const LawDescription table = law_describe(law);
   TRY(ARRAY_NEW(value, table.n_params, error));
   TRY(ARRAY_NEW(field, table.n_params, error));
@@ -295,7 +296,7 @@ Status material_new(Material *material, const Scene *scene, const LawSearch *sea
                elastic, search, scales, log, error));
   status = measure_moduli(material, error);
   if (status != STATUS_OK) {
-    law_place_error(&elastic->place, error);
+    place_prefix(&elastic->place, error);
     goto cleanup;
   }
   if (damage->law) {

@@ -3,15 +3,12 @@
 
 #include "base/array.h"
 #include "base/text.h"
+#include "config/place.h"
 #include "config/units.h"
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
-
-Status law_place_error(const SourcePlace *place, Error *error) {
-  return place_prefix(place, error);
-}
 
 /* ---- Units ---- */
 
@@ -84,7 +81,7 @@ static void warn_outside_calibration(const LawDescription *law, const mlaw_param
   Error message;
   error_set(&message, STATUS_OK, "parameter %s = %g is outside %g .. %g, where law %s was calibrated",
             param->name, value, param->ok_lo, param->ok_hi, law->id);
-  law_place_error(place, &message);
+  place_prefix(place, &message);
   log_warning(log, "%s", message.text);
 }
 
@@ -109,13 +106,13 @@ static Status fill_in(const LawDescription *law, const SceneLaw *scene, uint32_t
   const SceneParameter *given = find_in_scene(scene, param->name);
   if (!given) {
     *value = param->value;
-    return require(law, param, error) == STATUS_OK ? STATUS_OK : law_place_error(&scene->place, error);
+    return require(law, param, error) == STATUS_OK ? STATUS_OK : place_prefix(&scene->place, error);
   }
   Status status = without_unit(param, &given->value, scales, value, error);
   if (status == STATUS_OK) status = check_range(param, *value, error);
   if (status == STATUS_OK) return STATUS_OK;
   error_prefix(error, "parameter %s of law %s: ", param->name, law->id);
-  return law_place_error(&given->place, error);
+  return place_prefix(&given->place, error);
 }
 
 static Status refuse_unknown(const LawDescription *law, const SceneParameter *given, Error *error) {
@@ -134,7 +131,7 @@ static Status refuse_unknown(const LawDescription *law, const SceneParameter *gi
   error_set(error, STATUS_INPUT, "law %s has no parameter `%s`%s%s%s; it has: %s", law->id, given->name,
             nearest ? " (did you mean `" : "", nearest ? nearest : "", nearest ? "`?)" : "",
             all.data ? all.data : "none");
-  status = law_place_error(&given->place, error);
+  status = place_prefix(&given->place, error);
 cleanup:
   text_free(&all);
   array_free(names);
@@ -147,7 +144,7 @@ static Status check_across(const LawDescription *law, const SceneLaw *scene, con
   if (!law->check || law->check(value, &err) == MLAW_OK) return STATUS_OK;
   err.text[sizeof err.text - 1] = '\0';
   error_set(error, STATUS_INPUT, "law %s refuses its parameters: %s", law->id, err.text);
-  return law_place_error(&scene->place, error);
+  return place_prefix(&scene->place, error);
 }
 
 Status law_parameters(const LawDescription *law, const SceneLaw *scene, const LawScales *scales, Log *log,

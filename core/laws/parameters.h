@@ -19,8 +19,4 @@ typedef struct {
 Status law_parameters(const LawDescription *law, const SceneLaw *scene, const LawScales *scales, Log *log,
                       double *value, Error *error);
 
-/* Puts "file:line:column: " in front of a message when the place is known; returns the code already stored.
- */
-Status law_place_error(const SourcePlace *place, Error *error);
-
 #endif

@@ -166,17 +166,6 @@ START_TEST(leaving_the_calibrated_range_warns_once_and_goes_on) {
 }
 END_TEST
 
-START_TEST(a_place_that_is_not_known_leaves_the_message_as_it_is) {
-  Error error;
-  error_set(&error, STATUS_INPUT, "message");
-  const SourcePlace unknown = {0}, known = {"a.yaml", 1, 2};
-  ck_assert_int_eq(law_place_error(&unknown, &error), STATUS_INPUT);
-  ck_assert_str_eq(error.text, "message");
-  law_place_error(&known, &error);
-  ck_assert_str_eq(error.text, "a.yaml:1:2: message");
-}
-END_TEST
-
 int main(void) {
   return suite_run(
       "parameters",
@@ -187,6 +176,5 @@ int main(void) {
           a_unit_in_a_scene_without_scales_is_refused, an_unknown_name_is_answered_with_the_nearest,
           a_required_parameter_that_is_missing_is_named_with_its_meaning,
           each_end_of_a_hard_range_is_open_or_closed_as_the_table_says, a_value_that_is_not_finite_is_refused,
-          the_law_has_its_say_across_parameters, leaving_the_calibrated_range_warns_once_and_goes_on,
-          a_place_that_is_not_known_leaves_the_message_as_it_is, NULL});
+          the_law_has_its_say_across_parameters, leaving_the_calibrated_range_warns_once_and_goes_on, NULL});
 }
