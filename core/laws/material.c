@@ -173,6 +173,12 @@ static Status refuse_healing(const char *law, const DamageBatch *batch, ptrdiff_
 
 static Status step(const Material *material, const DamageBatch *batch, ptrdiff_t *point, Error *error) {
   const mlaw_damage *law = material->damage.damage;
+  const double *chan0[MLAW_N_CHANNELS] = {NULL}, *chan[MLAW_N_CHANNELS] = {NULL};
+  for (int c = 0; c < MLAW_N_CHANNELS; c++) {
+    if (!(law->needs & 1u << c)) continue; /* the batch may hold Y for the host alone */
+    chan0[c] = batch->chan0[c];
+    chan[c] = batch->chan[c];
+  }
   mlaw_error err = {.point = -1};
   const mlaw_damage_args arguments = {.size = sizeof arguments,
                                       .n_channels = MLAW_N_CHANNELS,
@@ -181,8 +187,8 @@ static Status step(const Material *material, const DamageBatch *batch, ptrdiff_t
                                       .t = batch->t,
                                       .dt = batch->dt,
                                       .param = material->damage_field,
-                                      .chan0 = batch->chan0,
-                                      .chan = batch->chan,
+                                      .chan0 = chan0,
+                                      .chan = chan,
                                       .d0 = batch->d0,
                                       .state0 = batch->state0,
                                       .state1 = batch->state1,
