@@ -29,7 +29,7 @@ static inline void shell_open_with(Shell *shell, int subdivisions, SceneLaw elas
   Error error;
   ck_assert_int_eq(mesh_sphere(&shell->mesh, subdivisions, NULL, &error), STATUS_OK);
   shell->material = make_material(elastic, damage);
-  ck_assert_int_eq(membrane_new(&shell->membrane, &shell->mesh, &shell->material, solver, &error), STATUS_OK);
+  ck_assert_int_eq(membrane_new(&shell->membrane, &shell->mesh, NULL, &shell->material, solver, &error), STATUS_OK);
   shell->n = 3 * shell->mesh.n_nodes;
 }
 

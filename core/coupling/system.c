@@ -53,13 +53,17 @@ static void remove_mean_flux(CoupledSystem *system, const double *x, double *v) 
   for (int i = 0; i < n; i++) v[i] -= flux / area * system->normal[i];
 }
 
-void system_constrain(CoupledSystem *system, double *x) {
-  if (!system->keep_volume) return;
+static void restore_volume(CoupledSystem *system, double *x) {
   for (int newton = 0; newton < 2; newton++) { /* from an error e, the second leaves e^4 */
     const double excess = surface_volume(system->mesh, x) - system->volume0;
     const double shift = excess / measure_normals(system, x);
     for (int i = 0; i < 3 * system->mesh->n_nodes; i++) x[i] -= shift * system->normal[i];
   }
+}
+
+void system_constrain(CoupledSystem *system, double *x) {
+  if (system->keep_volume) restore_volume(system, x);
+  if (system->symmetry) symmetry_spread(system->symmetry, x);
 }
 
 Status system_velocity(CoupledSystem *system, const double *x, double t, double dt, double *v, Error *error) {
@@ -72,6 +76,7 @@ Status system_velocity(CoupledSystem *system, const double *x, double t, double 
   flow_velocity(system->flow, system->mesh->n_nodes, x, t + dt, v);
   for (int i = 0; i < n; i++) v[i] -= system->mobility * system->u[i];
   if (system->keep_volume) remove_mean_flux(system, x, v);
+  if (system->symmetry) symmetry_spread(system->symmetry, v);
   for (int i = 0; i < n; i++)
     if (!isfinite(v[i]))
       return error_set(error, STATUS_REJECT, "the velocity of node %d is not finite", i / 3);

@@ -20,7 +20,8 @@ typedef struct {
   Membrane *membrane;
   SingleLayer *layer;
   const Flow *flow;
-  double mobility;  /* 1 / (Ca G_s) */
+  const Symmetry *symmetry; /* of all fields, to the last bit; NULL: none is used */
+  double mobility;          /* 1 / (Ca G_s) */
   bool keep_volume; /* subtract c n from v so that int v . n dS = 0, and move the end of a step back onto
                        volume0 */
   double volume0;   /* enclosed by the initial surface */
@@ -38,7 +39,8 @@ void system_free(CoupledSystem *system);
 /* v [n_nodes][3] at positions x and time t + dt; the membrane holds the trial history that belongs to it. */
 Status system_velocity(CoupledSystem *system, const double *x, double t, double dt, double *v, Error *error);
 
-/* Moves x along the normals until it encloses volume0; does nothing when the volume is not kept. */
+/* Moves x along the normals until it encloses volume0, where the volume is kept, and makes it symmetric to
+ * the last bit, where a symmetry is used. */
 void system_constrain(CoupledSystem *system, double *x);
 
 Rhs system_rhs(CoupledSystem *system);

@@ -32,8 +32,9 @@ struct SingleLayer {
   SingularRule *singular;
   PieceTree tree;
   Blocks blocks;
-  int *target;      /* [n_nodes] the nodes, neighbours near to each other */
-  OseenSources far; /* [n_elements * tree.rule.n], element after element */
+  int n_targets, *target;   /* [n_targets] nodes at which u is summed, neighbours near to each other */
+  const Symmetry *symmetry; /* u at the other nodes is the image of u at these; NULL: none */
+  OseenSources far;         /* [n_elements * tree.rule.n], element after element */
   KernelCount count;
 };
 
@@ -64,6 +65,7 @@ Status single_layer_new(SingleLayer **out, const Mesh *mesh, FluidMethod method,
   TRY(piece_tree_new(&layer->tree, mesh, m->rule_points, m->reach, error));
   TRY(blocks_new(&layer->blocks, mesh->n_elements, error));
   TRY(ARRAY_NEW(&layer->target, mesh->n_nodes, error));
+  layer->n_targets = mesh->n_nodes;
   TRY(order_targets(mesh, layer->target, error));
   for (int c = 0; c < 3; c++) {
     TRY(ARRAY_NEW(&layer->far.y[c], mesh->n_elements * m->rule_points, error));
@@ -74,6 +76,17 @@ Status single_layer_new(SingleLayer **out, const Mesh *mesh, FluidMethod method,
 cleanup:
   single_layer_free(layer);
   return status;
+}
+
+void single_layer_use_symmetry(SingleLayer *layer, const Symmetry *symmetry) {
+  const Orbits *nodes = &symmetry->nodes;
+  int n = 0;
+  for (int i = 0; i < layer->n_targets; i++) {
+    int p = layer->target[i];
+    if (nodes->representative[nodes->orbit[p]] == p) layer->target[n++] = p;
+  }
+  layer->n_targets = n;
+  layer->symmetry = symmetry;
 }
 
 void single_layer_free(SingleLayer *layer) {
@@ -223,7 +236,7 @@ Status single_layer_evaluate(SingleLayer *layer, const double *x, const double *
   long long far = 0, near = 0, singular = 0;
   int degenerate = n_nodes; /* the first node where an element is degenerate */
 #pragma omp parallel for schedule(dynamic, 16) reduction(+ : far, near, singular) reduction(min : degenerate)
-  for (int i = 0; i < n_nodes; i++) {
+  for (int i = 0; i < layer->n_targets; i++) {
     int p = layer->target[i];
     KernelCount count = {0, 0, 0};
     if (!evaluate_target(layer, x, q, p, u + 3 * p, &count) && p < degenerate) degenerate = p;
@@ -237,6 +250,7 @@ Status single_layer_evaluate(SingleLayer *layer, const double *x, const double *
   if (degenerate < n_nodes) {
     return error_set(error, STATUS_REJECT, "single layer: an element at node %d is degenerate", degenerate);
   }
+  if (layer->symmetry) symmetry_spread(layer->symmetry, u);
   TRY(check_finite("velocity", 3 * n_nodes, u, error));
 cleanup:
   return status;

@@ -14,6 +14,7 @@
 #include "base/status.h"
 #include "config/scene.h"
 #include "mesh/mesh.h"
+#include "mesh/symmetry.h"
 
 typedef struct SingleLayer SingleLayer;
 
@@ -24,6 +25,9 @@ typedef struct {
 
 /* The mesh must outlive the layer. */
 Status single_layer_new(SingleLayer **layer, const Mesh *mesh, FluidMethod method, Error *error);
+/* From now on x and q have this symmetry, and u is summed at one node of each orbit only.  The symmetry must
+ * outlive the layer. */
+void single_layer_use_symmetry(SingleLayer *layer, const Symmetry *symmetry);
 void single_layer_free(SingleLayer *layer);
 
 /* x, q, u [n_nodes][3].  STATUS_REJECT when x or q is not finite or an element is degenerate. */

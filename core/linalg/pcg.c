@@ -24,6 +24,8 @@ Status pcg_work_new(PcgWork *work, int n, Error *error) {
   TRY(ARRAY_NEW(&work->p, size, error));
   TRY(ARRAY_NEW(&work->Ap, size, error));
   TRY(ARRAY_NEW(&work->inverse_diagonal, n, error));
+  TRY(ARRAY_NEW(&work->ones, n, error));
+  for (int i = 0; i < n; i++) work->ones[i] = 1;
 cleanup:
   if (status != STATUS_OK) pcg_work_free(work);
   return status;
@@ -35,12 +37,14 @@ void pcg_work_free(PcgWork *work) {
   array_free(work->p);
   array_free(work->Ap);
   array_free(work->inverse_diagonal);
+  array_free(work->ones);
   *work = (PcgWork){0};
 }
 
-static Status invert_diagonal(const SparseMatrix *matrix, double *inverse, Error *error) {
+static Status invert_diagonal(const SparseMatrix *matrix, const SparseImages *images, double *inverse,
+                              Error *error) {
   for (int i = 0; i < matrix->n; i++) {
-    int k = sparse_index(matrix, i, i);
+    int k = images ? images->diagonal[i] : sparse_index(matrix, i, i);
     double diagonal = k < 0 ? 0.0 : matrix->value[k];
     if (!(diagonal > 0.0) || !isfinite(diagonal))
       return error_set(error, STATUS_REJECT,
@@ -72,8 +76,30 @@ VECTOR_CLONES static void multiply(const SparseMatrix *matrix, const double *res
   memcpy(dot, total, sizeof total);
 }
 
+/* The same on one node of each orbit. */
+VECTOR_CLONES static void multiply_images(const SparseMatrix *matrix, const SparseImages *images,
+                                          const double *restrict x, double *restrict y, double dot[COLUMNS]) {
+  const int *restrict column = matrix->column;
+  const double *restrict value = matrix->value;
+  double total[COLUMNS] = {0.0};
+  for (int row = 0; row < matrix->n; row++) {
+    double sum[COLUMNS] = {0.0};
+    for (int k = matrix->row_start[row]; k < matrix->row_start[row + 1]; k++) {
+      const double *entry = &x[COLUMNS * (size_t)column[k]], *sign = images->sign[images->operation[k]];
+#pragma omp simd
+      for (int c = 0; c < COLUMNS; c++) sum[c] += value[k] * (sign[c] * entry[c]);
+    }
+    for (int c = 0; c < COLUMNS; c++) {
+      y[COLUMNS * row + c] = sum[c];
+      total[c] += images->weight[row] * sum[c] * x[COLUMNS * row + c];
+    }
+  }
+  memcpy(dot, total, sizeof total);
+}
+
 /* r = b - A x (Ap holds A x), p = D^-1 r, and the squared norms of r and b that the stop rule compares. */
-static void start(PcgWork *work, const double *b, double residual[COLUMNS], double right_side[COLUMNS]) {
+static void start(PcgWork *work, const double *b, const double *weight, double residual[COLUMNS],
+                  double right_side[COLUMNS]) {
   memset(residual, 0, COLUMNS * sizeof *residual);
   memset(right_side, 0, COLUMNS * sizeof *right_side);
   for (int i = 0; i < work->n; i++)
@@ -82,13 +108,14 @@ static void start(PcgWork *work, const double *b, double residual[COLUMNS], doub
       double inverse = work->inverse_diagonal[i];
       work->r[k] = b[3 * i + c] - work->Ap[k];
       work->p[k] = inverse * work->r[k];
-      residual[c] += work->r[k] * work->p[k];
-      right_side[c] += b[3 * i + c] * inverse * b[3 * i + c];
+      residual[c] += weight[i] * work->r[k] * work->p[k];
+      right_side[c] += weight[i] * b[3 * i + c] * inverse * b[3 * i + c];
     }
 }
 
 /* x += alpha p, r -= alpha Ap; returns r . D^-1 r by columns. */
-VECTOR_CLONES static void advance(PcgWork *work, const double alpha[COLUMNS], double residual[COLUMNS]) {
+VECTOR_CLONES static void advance(PcgWork *work, const double *restrict weight, const double alpha[COLUMNS],
+                                  double residual[COLUMNS]) {
   double *restrict x = work->x, *restrict r = work->r;
   const double *restrict p = work->p, *restrict Ap = work->Ap;
   double total[COLUMNS] = {0.0};
@@ -98,7 +125,7 @@ VECTOR_CLONES static void advance(PcgWork *work, const double alpha[COLUMNS], do
       int k = COLUMNS * i + c;
       x[k] += alpha[c] * p[k];
       r[k] -= alpha[c] * Ap[k];
-      total[c] += r[k] * inverse * r[k];
+      total[c] += weight[i] * r[k] * inverse * r[k];
     }
   }
   memcpy(residual, total, sizeof total);
@@ -117,12 +144,21 @@ VECTOR_CLONES static void turn(PcgWork *work, const double beta[COLUMNS]) {
   }
 }
 
+static void product(const SparseMatrix *matrix, const SparseImages *images, const double *x, double *y,
+                    double dot[COLUMNS]) {
+  if (images)
+    multiply_images(matrix, images, x, y, dot);
+  else
+    multiply(matrix, x, y, dot);
+}
+
 /* The iteration proper, on work->x. */
-static Status iterate(const SparseMatrix *matrix, const double *b, double tolerance, int max_iterations,
-                      PcgWork *work, int *iterations, Error *error) {
+static Status iterate(const SparseMatrix *matrix, const SparseImages *images, const double *b,
+                      double tolerance, int max_iterations, PcgWork *work, int *iterations, Error *error) {
   double residual[COLUMNS], right_side[COLUMNS], curvature[COLUMNS];
-  multiply(matrix, work->x, work->Ap, curvature);
-  start(work, b, residual, right_side);
+  const double *weight = images ? images->weight : work->ones;
+  product(matrix, images, work->x, work->Ap, curvature);
+  start(work, b, weight, residual, right_side);
   for (*iterations = 0;; ++*iterations) {
     bool active[COLUMNS], any = false;
     for (int c = 0; c < COLUMNS; c++) {
@@ -136,7 +172,7 @@ static Status iterate(const SparseMatrix *matrix, const double *b, double tolera
       return error_set(error, STATUS_REJECT, "conjugate gradients: not converged to %g in %d iterations",
                        tolerance, max_iterations);
 
-    multiply(matrix, work->p, work->Ap, curvature);
+    product(matrix, images, work->p, work->Ap, curvature);
     double alpha[COLUMNS], beta[COLUMNS], previous[COLUMNS];
     for (int c = 0; c < COLUMNS; c++) {
       if (active[c] && !(curvature[c] > 0.0))
@@ -145,7 +181,7 @@ static Status iterate(const SparseMatrix *matrix, const double *b, double tolera
       alpha[c] = active[c] ? residual[c] / curvature[c] : 0.0;
       previous[c] = residual[c];
     }
-    advance(work, alpha, residual);
+    advance(work, weight, alpha, residual);
     for (int c = 0; c < COLUMNS; c++) beta[c] = active[c] ? residual[c] / previous[c] : 0.0;
     turn(work, beta);
   }
@@ -161,15 +197,20 @@ static void load(PcgWork *work, const double *b, const double *x) {
     for (int c = 0; c < 3; c++) work->x[COLUMNS * i + c] = zero[c] ? 0.0 : x[3 * i + c];
 }
 
-Status pcg_solve3(const SparseMatrix *matrix, const double *b, double *x, double tolerance,
-                  int max_iterations, PcgWork *work, int *iterations, Error *error) {
+Status pcg_solve3_images(const SparseMatrix *matrix, const SparseImages *images, const double *b, double *x,
+                         double tolerance, int max_iterations, PcgWork *work, int *iterations, Error *error) {
   Status status = STATUS_OK;
   *iterations = 0;
-  TRY(invert_diagonal(matrix, work->inverse_diagonal, error));
+  TRY(invert_diagonal(matrix, images, work->inverse_diagonal, error));
   load(work, b, x);
-  TRY(iterate(matrix, b, tolerance, max_iterations, work, iterations, error));
+  TRY(iterate(matrix, images, b, tolerance, max_iterations, work, iterations, error));
   for (int i = 0; i < work->n; i++)
     for (int c = 0; c < 3; c++) x[3 * i + c] = work->x[COLUMNS * i + c];
 cleanup:
   return status;
+}
+
+Status pcg_solve3(const SparseMatrix *matrix, const double *b, double *x, double tolerance,
+                  int max_iterations, PcgWork *work, int *iterations, Error *error) {
+  return pcg_solve3_images(matrix, NULL, b, x, tolerance, max_iterations, work, iterations, error);
 }

@@ -11,6 +11,7 @@
 typedef struct {
   double *x, *r, *p, *Ap;
   double *inverse_diagonal; /* [n] */
+  double *ones;             /* [n] weights of nodes without a symmetry */
   int n;
 } PcgWork;
 
@@ -25,5 +26,9 @@ void pcg_work_free(PcgWork *work);
  * value is not finite. */
 Status pcg_solve3(const SparseMatrix *matrix, const double *b, double *x, double tolerance,
                   int max_iterations, PcgWork *work, int *iterations, Error *error);
+
+/* The same on one node of each orbit, b and x [n][3] at those nodes. */
+Status pcg_solve3_images(const SparseMatrix *matrix, const SparseImages *images, const double *b, double *x,
+                         double tolerance, int max_iterations, PcgWork *work, int *iterations, Error *error);
 
 #endif

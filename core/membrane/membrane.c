@@ -25,8 +25,10 @@ static void fill_basis(Membrane *m) {
 
 static Status fill_reference(Membrane *m, Error *error) {
   const Mesh *mesh = m->mesh;
-  for (int e = 0; e < mesh->n_elements; e++)
+  const Orbits *elements = &m->symmetry->elements;
+  for (int i = 0; i < m->n_elements; i++)
     for (int g = 0; g < RULE_POINTS; g++) {
+      const int e = elements->representative[i];
       double A[2][3] = {{0}};
       for (int p = 0; p < 6; p++)
         for (int c = 0; c < 3; c++)
@@ -34,17 +36,18 @@ static Status fill_reference(Membrane *m, Error *error) {
             A[alpha][c] += m->basis.dN[g][p][alpha] * mesh->X[3 * mesh->element[e][p] + c];
       double metric[2][2] = {{0}};
       for (int c = 0; c < 3; c++)
-        for (int i = 0; i < 2; i++)
-          for (int j = 0; j < 2; j++) metric[i][j] += A[i][c] * A[j][c];
+        for (int alpha = 0; alpha < 2; alpha++)
+          for (int beta = 0; beta < 2; beta++) metric[alpha][beta] += A[alpha][c] * A[beta][c];
       const double det = metric[0][0] * metric[1][1] - metric[0][1] * metric[1][0];
       if (!(det > 0) || !isfinite(det))
         return error_set(error, STATUS_INPUT, "the reference mesh is degenerate in element %d", e);
-      const int k = g * mesh->n_elements + e;
+      const int k = g * m->n_elements + i;
       m->A11[k] = metric[1][1] / det;
       m->A12[k] = -metric[0][1] / det;
       m->A22[k] = metric[0][0] / det;
       m->inverse_det[k] = 1 / det;
       m->dS0[k] = m->rule_weight[g] * sqrt(det);
+      m->weight[k] = m->dS0[k] * elements->size[i];
     }
   return STATUS_OK;
 }
@@ -98,31 +101,42 @@ cleanup:
   return status;
 }
 
-Status membrane_new(Membrane **membrane, const Mesh *mesh, const Material *material, MassSolver solver,
-                    Error *error) {
+/* Takes the symmetry given, or makes the trivial one. */
+static Status choose_symmetry(Membrane *m, const Symmetry *symmetry, Error *error) {
+  m->symmetry = symmetry ? symmetry : &m->own_symmetry;
+  const Status status = symmetry ? STATUS_OK : symmetry_none(&m->own_symmetry, m->mesh, error);
+  if (status != STATUS_OK) return status;
+  m->n_elements = m->symmetry->elements.n;
+  m->n_points = RULE_POINTS * m->n_elements;
+  return STATUS_OK;
+}
+
+Status membrane_new(Membrane **membrane, const Mesh *mesh, const Symmetry *symmetry, const Material *material,
+                    MassSolver solver, Error *error) {
   Status status = STATUS_OK;
   Membrane *m = NULL;
   *membrane = NULL;
   TRY(ARRAY_NEW(&m, 1, error));
   m->mesh = mesh;
   m->material = material;
-  m->n_points = RULE_POINTS * mesh->n_elements;
+  TRY(choose_symmetry(m, symmetry, error));
   m->has_damage = material_has_damage(material);
   m->channels = material_channels(material);
   m->channel_history = m->has_damage && material->damage.damage->update;
   fill_basis(m);
-  double **const arrays[] = {&m->A11, &m->A12, &m->A22, &m->inverse_det, &m->dS0,
-                             &m->I1,  &m->I2,  &m->J,   &m->phi};
+  double **const arrays[] = {&m->A11,    &m->A12, &m->A22, &m->inverse_det, &m->dS0,
+                             &m->weight, &m->I1,  &m->I2,  &m->J,           &m->phi};
   for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) TRY(ARRAY_NEW(arrays[i], m->n_points, error));
   TRY(ARRAY_NEW(&m->dphi, 2 * (size_t)m->n_points, error));
-  TRY(ARRAY_NEW(&m->element_force, 18 * (size_t)mesh->n_elements, error));
-  TRY(ARRAY_NEW(&m->element_mass, MASS_PAIRS * (size_t)mesh->n_elements, error));
+  TRY(ARRAY_NEW(&m->element_force, 18 * (size_t)m->n_elements, error));
+  TRY(ARRAY_NEW(&m->element_mass, MASS_PAIRS * (size_t)m->n_elements, error));
   TRY(fill_reference(m, error));
   TRY(channels_new(m, error));
   TRY(history_new(&m->accepted, m, error));
   TRY(history_new(&m->trial, m, error));
   history_start(&m->accepted, m);
-  TRY(mass_new(&m->mass, mesh, solver, error));
+  TRY(assembly_new(&m->assembly, mesh, m->symmetry, error));
+  TRY(mass_new(&m->mass, mesh, m->symmetry, solver, error));
   *membrane = m;
 cleanup:
   if (status != STATUS_OK) membrane_free(m);
@@ -131,19 +145,26 @@ cleanup:
 
 void membrane_free(Membrane *m) {
   if (!m) return;
-  double *const arrays[] = {m->A11, m->A12, m->A22, m->inverse_det, m->dS0,           m->I1,
+  double *const arrays[] = {m->A11, m->A12, m->A22, m->inverse_det, m->dS0,           m->weight,      m->I1,
                             m->I2,  m->J,   m->phi, m->dphi,        m->element_force, m->element_mass};
   for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) array_free(arrays[i]);
   for (int c = MLAW_L1; c <= MLAW_T2; c++) array_free(m->channel[c]);
   history_free(&m->accepted);
   history_free(&m->trial);
+  assembly_free(&m->assembly);
   mass_free(&m->mass);
+  symmetry_free(&m->own_symmetry);
   array_free(m);
 }
 
 /* ---- one evaluation ---- */
 
-/* One block of elements: first .. first + n - 1. */
+/* The element of the mesh that is computed for an orbit. */
+static int mesh_element(const Membrane *m, int orbit) {
+  return m->symmetry->elements.representative[orbit];
+}
+
+/* One block of computed elements: first .. first + n - 1. */
 typedef struct {
   int first, n;
   double t, dt;
@@ -151,7 +172,7 @@ typedef struct {
 
 static void gather_nodes(const Membrane *m, BlockTask task, const double *x, ElementBlock *block) {
   for (int lane = 0; lane < task.n; lane++) {
-    const int *nodes = m->mesh->element[task.first + lane];
+    const int *nodes = m->mesh->element[mesh_element(m, task.first + lane)];
     for (int p = 0; p < 6; p++)
       for (int c = 0; c < 3; c++) block->node[p][c][lane] = x[3 * nodes[p] + c];
   }
@@ -160,8 +181,8 @@ static void gather_nodes(const Membrane *m, BlockTask task, const double *x, Ele
 static Status check_elements(const Membrane *m, BlockTask task, const ElementBlock *block, Error *error) {
   for (int g = 0; g < RULE_POINTS; g++)
     for (int lane = 0; lane < task.n; lane++) {
-      const int e = task.first + lane;
-      const double J = m->J[g * m->mesh->n_elements + e];
+      const int e = mesh_element(m, task.first + lane);
+      const double J = m->J[g * m->n_elements + task.first + lane];
       if (!(J > SMALLEST_AREA_RATIO) || !isfinite(J))
         return error_set(
             error, STATUS_REJECT,
@@ -176,7 +197,7 @@ static Status check_elements(const Membrane *m, BlockTask task, const ElementBlo
 
 /* Laws are called for one rule point of the block at a time: a range of consecutive points in every array. */
 static Status call_elastic_law(const Membrane *m, BlockTask task, int g, Error *error) {
-  const ptrdiff_t k = g * m->mesh->n_elements + task.first;
+  const ptrdiff_t k = g * m->n_elements + task.first;
   ptrdiff_t failing = -1;
   const MembraneHistory *old = &m->accepted, *new = &m->trial;
   const ElasticBatch batch = {
@@ -193,12 +214,12 @@ static Status call_elastic_law(const Membrane *m, BlockTask task, int g, Error *
   };
   const Status status = material_elastic(m->material, &batch, &failing, error);
   if (status != STATUS_OK && failing >= 0)
-    error_prefix(error, "element %d, integration point %d: ", (int)(task.first + failing), g);
+    error_prefix(error, "element %d, integration point %d: ", mesh_element(m, task.first + (int)failing), g);
   return status;
 }
 
 static Status call_damage_law(const Membrane *m, BlockTask task, int g, Error *error) {
-  const ptrdiff_t k = g * m->mesh->n_elements + task.first;
+  const ptrdiff_t k = g * m->n_elements + task.first;
   ptrdiff_t failing = -1;
   const MembraneHistory *old = &m->accepted, *new = &m->trial;
   DamageBatch batch = {
@@ -229,7 +250,7 @@ static Status call_damage_law(const Membrane *m, BlockTask task, int g, Error *e
     }
   const Status status = material_damage(m->material, &batch, &failing, error);
   if (status != STATUS_OK && failing >= 0)
-    error_prefix(error, "element %d, integration point %d: ", (int)(task.first + failing), g);
+    error_prefix(error, "element %d, integration point %d: ", mesh_element(m, task.first + (int)failing), g);
   return status;
 }
 
@@ -243,7 +264,7 @@ static Status evaluate_block(Membrane *m, BlockTask task, const double *x, Error
       .A22 = m->A22 + first,
       .inverse_det = m->inverse_det + first,
       .dS0 = m->dS0 + first,
-      .ld = m->mesh->n_elements,
+      .ld = m->n_elements,
   };
   gather_nodes(m, task, x, &block);
   element_kinematics(&m->basis, metric, task.n, &block, m->I1 + first, m->I2 + first, m->J + first);
@@ -253,30 +274,14 @@ static Status evaluate_block(Membrane *m, BlockTask task, const double *x, Error
     if (m->has_damage) TRY(call_damage_law(m, task, g, error));
   }
   element_force(&m->basis, metric, task.n, &block, m->dphi + first, m->dphi + m->n_points + first,
-                m->has_damage ? m->trial.d + first : NULL, m->element_force + first, m->mesh->n_elements);
-  element_mass(&m->basis, metric, task.n, m->J + first, m->element_mass + first, m->mesh->n_elements);
+                m->has_damage ? m->trial.d + first : NULL, m->element_force + first, m->n_elements);
+  element_mass(&m->basis, metric, task.n, m->J + first, m->element_mass + first, m->n_elements);
 cleanup:
   return status;
 }
 
-/* Sums element forces at each node in the order of the node table, so that the sum does not depend on
- * threads. */
-static void gather_force(const Membrane *m, double *R) {
-  const Mesh *mesh = m->mesh;
-#pragma omp parallel for schedule(static)
-  for (int p = 0; p < mesh->n_nodes; p++) {
-    double sum[3] = {0, 0, 0};
-    for (int k = mesh->node_start[p]; k < mesh->node_start[p + 1]; k++) {
-      const double *f =
-          m->element_force + 3 * (ptrdiff_t)mesh->node_local[k] * mesh->n_elements + mesh->node_element[k];
-      for (int c = 0; c < 3; c++) sum[c] += f[(ptrdiff_t)c * mesh->n_elements];
-    }
-    for (int c = 0; c < 3; c++) R[3 * p + c] = sum[c];
-  }
-}
-
 Status membrane_force(Membrane *m, const double *x, double t, double dt, double *R, Error *error) {
-  const int n_elements = m->mesh->n_elements, n_blocks = (n_elements + LANES - 1) / LANES;
+  const int n_elements = m->n_elements, n_blocks = (n_elements + LANES - 1) / LANES;
   Status status = STATUS_OK;
   int failed_block = n_blocks; /* the first failing block speaks, whatever the order of the threads */
 #pragma omp parallel for schedule(static)
@@ -296,12 +301,12 @@ Status membrane_force(Membrane *m, const double *x, double t, double dt, double 
   }
   m->count.evaluations++;
   m->count.law_points += m->n_points;
-  if (status == STATUS_OK) gather_force(m, R);
+  if (status == STATUS_OK) assembly_sum(&m->assembly, m->element_force, R);
   return status;
 }
 
 Status membrane_load(Membrane *m, const double *R, double *q, Error *error) {
-  mass_assemble(&m->mass, m->element_mass);
+  mass_update(&m->mass, m->element_mass);
   return mass_solve(&m->mass, R, q, error);
 }
 

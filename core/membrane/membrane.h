@@ -1,7 +1,8 @@
 /* The solid problem (paper sections 2.2, 2.3, 3.2): from positions to tensions, internal force R, load q and
  * trial damage.
  *
- * Integration points: six per element, point (element e, rule point g) has index g * n_elements + e in every
+ * Integration points: six per computed element (one of each orbit of the symmetry); that of orbit e and rule
+ * point g has index g * n_orbits + e in every
  * [n_points] array.  Trial and accepted damage are apart: membrane_evaluate writes the trial, membrane_commit
  * accepts it. */
 #ifndef CAPSELLA_MEMBRANE_MEMBRANE_H
@@ -10,6 +11,7 @@
 #include "base/status.h"
 #include "laws/material.h"
 #include "mesh/mesh.h"
+#include "mesh/symmetry.h"
 #include <stdbool.h>
 
 enum { POINTS_PER_ELEMENT = 6 };
@@ -24,9 +26,11 @@ typedef struct {
 
 typedef struct Membrane Membrane;
 
-/* Reference metric once, from mesh->X.  Mesh and material must outlive the membrane. */
-Status membrane_new(Membrane **membrane, const Mesh *mesh, const Material *material, MassSolver solver,
-                    Error *error);
+/* Reference metric once, from mesh->X.  Mesh, symmetry (NULL: none is used) and material must outlive the
+ * membrane.  With a symmetry, positions and loads are whole fields that have it, and one element of each
+ * orbit is computed. */
+Status membrane_new(Membrane **membrane, const Mesh *mesh, const Symmetry *symmetry, const Material *material,
+                    MassSolver solver, Error *error);
 void membrane_free(Membrane *membrane);
 
 /* R [n_nodes][3] from positions x [n_nodes][3] at time t + dt, where t is the time of the accepted history

@@ -19,7 +19,7 @@ const MembraneHistory *membrane_trial(const Membrane *m) {
 }
 
 MembranePoints membrane_points_view(const Membrane *m) {
-  return (MembranePoints){.phi = m->phi, .J = m->J, .dS0 = m->dS0, .d = m->has_damage ? m->trial.d : NULL};
+  return (MembranePoints){.phi = m->phi, .J = m->J, .dS0 = m->weight, .d = m->has_damage ? m->trial.d : NULL};
 }
 
 MembraneCount membrane_count(const Membrane *m) {
@@ -40,7 +40,7 @@ void membrane_principal_tensions(const Membrane *m, double *T1, double *T2) {
 double membrane_energy(const Membrane *m) {
   double sum = 0;
   for (int k = 0; k < m->n_points; k++)
-    sum += (m->has_damage ? 1 - m->trial.d[k] : 1.0) * m->phi[k] * m->dS0[k];
+    sum += (m->has_damage ? 1 - m->trial.d[k] : 1.0) * m->phi[k] * m->weight[k];
   return sum;
 }
 
@@ -50,12 +50,12 @@ double membrane_dissipation(const Membrane *m) {
   const double *Y1 = m->channel_history ? m->trial.channel[MLAW_Y] : m->trial.Ymax;
   double sum = 0;
   for (int k = 0; k < m->n_points; k++)
-    sum += 0.5 * (Y0[k] + Y1[k]) * (m->trial.d[k] - m->accepted.d[k]) * m->dS0[k];
+    sum += 0.5 * (Y0[k] + Y1[k]) * (m->trial.d[k] - m->accepted.d[k]) * m->weight[k];
   return sum;
 }
 
 void membrane_point_position(const Membrane *m, int k, const double *nodes, double position[3]) {
-  const int e = k % m->mesh->n_elements, g = k / m->mesh->n_elements;
+  const int e = m->symmetry->elements.representative[k % m->n_elements], g = k / m->n_elements;
   for (int c = 0; c < 3; c++) {
     position[c] = 0;
     for (int p = 0; p < 6; p++) position[c] += m->basis.N[g][p] * nodes[3 * m->mesh->element[e][p] + c];
@@ -86,16 +86,17 @@ static void plane_fit(double fit[6][RULE_POINTS]) {
 }
 
 void membrane_nodal_field(const Membrane *m, const double *point_values, double *node_values) {
-  const Mesh *mesh = m->mesh;
+  const Orbits *nodes = &m->symmetry->nodes;
   double fit[6][RULE_POINTS];
   plane_fit(fit);
-  for (int p = 0; p < mesh->n_nodes; p++) {
+  for (int i = 0; i < nodes->n; i++) {
     double sum = 0, weight = 0, lowest = INFINITY, highest = -INFINITY;
-    for (int k = mesh->node_start[p]; k < mesh->node_start[p + 1]; k++) {
+    for (int s = m->assembly.start[i]; s < m->assembly.start[i + 1]; s++) {
+      const AssemblyTerm *term = &m->assembly.term[s];
       double value = 0, area = 0;
       for (int g = 0; g < RULE_POINTS; g++) {
-        const int point = g * mesh->n_elements + mesh->node_element[k];
-        value += fit[mesh->node_local[k]][g] * point_values[point];
+        const int point = g * m->n_elements + term->orbit;
+        value += fit[term->local][g] * point_values[point];
         area += m->dS0[point];
         lowest = fmin(lowest, point_values[point]);
         highest = fmax(highest, point_values[point]);
@@ -103,6 +104,8 @@ void membrane_nodal_field(const Membrane *m, const double *point_values, double 
       sum += area * value;
       weight += area;
     }
-    node_values[p] = fmin(fmax(sum / weight, lowest), highest);
+    node_values[nodes->representative[i]] = fmin(fmax(sum / weight, lowest), highest);
   }
+  for (int p = 0; p < m->mesh->n_nodes; p++)
+    node_values[p] = node_values[nodes->representative[nodes->orbit[p]]];
 }

@@ -2,6 +2,7 @@
 #ifndef CAPSELLA_MEMBRANE_MEMBRANE_PRIVATE_H
 #define CAPSELLA_MEMBRANE_MEMBRANE_PRIVATE_H
 
+#include "membrane/assembly.h"
 #include "membrane/element_kernel.h"
 #include "membrane/mass.h"
 #include "membrane/membrane.h"
@@ -9,6 +10,9 @@
 struct Membrane {
   const Mesh *mesh;
   const Material *material;
+  const Symmetry *symmetry;
+  Symmetry own_symmetry; /* the trivial one, when none was given */
+  int n_elements;        /* computed: one of each orbit */
   int n_points;
   bool has_damage;
   unsigned channels;    /* what the damage law reads, bit mask */
@@ -18,6 +22,8 @@ struct Membrane {
 
   /* Reference configuration, [n_points]. */
   double *A11, *A12, *A22, *inverse_det, *dS0;
+  double *weight; /* dS0 times the number of elements in the orbit: sum f weight integrates over the whole
+                     surface */
 
   /* Last evaluation, [n_points]; dphi [2][n_points]. */
   double *I1, *I2, *J, *phi, *dphi;
@@ -26,6 +32,7 @@ struct Membrane {
   double *element_mass;             /* [21][n_elements] */
 
   MembraneHistory accepted, trial;
+  Assembly assembly;
   MassSystem mass;
   MembraneCount count;
 };

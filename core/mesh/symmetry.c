@@ -145,14 +145,9 @@ static void orbits_free(Orbits *orbits) {
   *orbits = (Orbits){0};
 }
 
-Status symmetry_find(Symmetry *symmetry, const Mesh *mesh, const double *x, const double gradient[3][3],
-                     Error *error) {
+static Status find_orbits(Symmetry *symmetry, const Mesh *mesh, Error *error) {
   Status status = STATUS_OK;
-  Place *places = NULL;
   const int *node_image[SYMMETRY_MAX], *element_image[SYMMETRY_MAX];
-  *symmetry = (Symmetry){0};
-  TRY(places_new(&places, mesh, x, error));
-  TRY(find_operations(symmetry, mesh, x, gradient, places, error));
   for (int k = 0; k < symmetry->n_operations; k++) {
     node_image[k] = symmetry->operation[k].node;
     element_image[k] = symmetry->operation[k].element;
@@ -160,7 +155,36 @@ Status symmetry_find(Symmetry *symmetry, const Mesh *mesh, const double *x, cons
   TRY(orbits_new(&symmetry->nodes, mesh->n_nodes, symmetry->n_operations, node_image, error));
   TRY(orbits_new(&symmetry->elements, mesh->n_elements, symmetry->n_operations, element_image, error));
 cleanup:
+  return status;
+}
+
+Status symmetry_find(Symmetry *symmetry, const Mesh *mesh, const double *x, const double gradient[3][3],
+                     Error *error) {
+  Status status = STATUS_OK;
+  Place *places = NULL;
+  *symmetry = (Symmetry){0};
+  TRY(places_new(&places, mesh, x, error));
+  TRY(find_operations(symmetry, mesh, x, gradient, places, error));
+  TRY(find_orbits(symmetry, mesh, error));
+cleanup:
   array_free(places);
+  if (status != STATUS_OK) symmetry_free(symmetry);
+  return status;
+}
+
+Status symmetry_none(Symmetry *symmetry, const Mesh *mesh, Error *error) {
+  Status status = STATUS_OK;
+  SymmetryOperation *identity = &symmetry->operation[0];
+  *symmetry = (Symmetry){.n_operations = 1};
+  TRY(operation_new(identity, mesh, error));
+  for (int i = 0; i < 3; i++) identity->sign[i] = 1.0;
+  for (int p = 0; p < mesh->n_nodes; p++) identity->node[p] = p;
+  for (int e = 0; e < mesh->n_elements; e++) {
+    identity->element[e] = e;
+    for (int k = 0; k < 6; k++) identity->local[e][k] = (unsigned char)k;
+  }
+  TRY(find_orbits(symmetry, mesh, error));
+cleanup:
   if (status != STATUS_OK) symmetry_free(symmetry);
   return status;
 }

@@ -51,6 +51,9 @@ typedef struct {
  * NULL: of the mesh alone). */
 Status symmetry_find(Symmetry *symmetry, const Mesh *mesh, const double *x, const double gradient[3][3],
                      Error *error);
+
+/* The group that holds nothing but the identity: every node and every element is its own orbit. */
+Status symmetry_none(Symmetry *symmetry, const Mesh *mesh, Error *error);
 void symmetry_free(Symmetry *symmetry);
 
 /* Makes a vector field [n_nodes][3] symmetric from its values at the representatives: components that an

@@ -171,7 +171,7 @@ Status output_snapshot(Output *output, Simulation *s, Record *record, Error *err
   TRY(history_sync(&output->history, error));
   const SnapshotField fields[] = {
       {.name = "q", .components = 3, .values = s->motion->q},
-      {.name = "v", .components = 3, .values = record->v},
+      {.name = "velocity", .components = 3, .values = record->v},
       {.name = "d", .components = 1, .values = output->d},
       {.name = "Y", .components = 1, .values = output->Y},
       {.name = "T1", .components = 1, .values = output->T1},

@@ -4,13 +4,23 @@
 #include "base/file.h"
 #include "mesh/surface.h"
 #include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
 
 bool simulation_is_inflation(const Simulation *s) {
   return s->scene->flow.kind == FLOW_INFLATION;
 }
 
-static void skip(Simulation *s, const char *what) {
-  if (s->n_skipped < MAX_SKIPPED) s->skipped[s->n_skipped++] = what;
+/* Notes what is not set up, and why. */
+static void skip(Simulation *s, const char *what, ...) PRINTF_LIKE(2, 3);
+static void skip(Simulation *s, const char *what, ...) {
+  if (s->n_skipped == MAX_SKIPPED) return;
+  char *line = s->skipped_text[s->n_skipped];
+  va_list arguments;
+  va_start(arguments, what);
+  vsnprintf(line, sizeof s->skipped_text[0], what, arguments);
+  va_end(arguments);
+  s->skipped[s->n_skipped++] = line;
 }
 
 /* Lengths by a, time by 1/rate, tensions by G: a mass is G / rate^2. */
@@ -39,12 +49,31 @@ cleanup:
   return status;
 }
 
+/* The group of mesh and motion.  It holds since all laws are isotropic and their parameters uniform. */
+static Status find_symmetry(Simulation *s, Error *error) {
+  Status status = STATUS_OK;
+  if (s->scene->symmetry == SYMMETRY_OFF) {
+    TRY(symmetry_none(&s->symmetry, &s->mesh, error));
+    goto cleanup;
+  }
+  const double(*gradient)[3] = (const double(*)[3])s->scene->flow.gradient;
+  TRY(symmetry_find(&s->symmetry, &s->mesh, s->mesh.X, simulation_is_inflation(s) ? NULL : gradient, error));
+  if (s->symmetry.n_operations > 1)
+    skip(s, "%d of %d elements and %d of %d nodes: they are images of the others under %d symmetries",
+         s->mesh.n_elements - s->symmetry.elements.n, s->mesh.n_elements,
+         s->mesh.n_nodes - s->symmetry.nodes.n, s->mesh.n_nodes, s->symmetry.n_operations);
+cleanup:
+  return status;
+}
+
 static Status build_capsule(Simulation *s, Error *error) {
   Status status = STATUS_OK;
   MeshRotation rotation = {.angle = s->scene->mesh.rotation_angle};
   for (int c = 0; c < 3; c++) rotation.axis[c] = s->scene->mesh.rotation_axis[c];
   TRY(mesh_sphere(&s->mesh, s->scene->mesh.subdivisions, rotation.angle != 0 ? &rotation : NULL, error));
-  TRY(membrane_new(&s->membrane, &s->mesh, &s->material, s->scene->membrane.mass_solver, error));
+  TRY(find_symmetry(s, error));
+  TRY(membrane_new(&s->membrane, &s->mesh, &s->symmetry, &s->material, s->scene->membrane.mass_solver,
+                   error));
   s->volume0 = surface_volume(&s->mesh, s->mesh.X);
   s->area0 = surface_area(&s->mesh, s->mesh.X);
 cleanup:
@@ -56,9 +85,11 @@ static Status build_fluid(Simulation *s, Error *error) {
   const Scene *scene = s->scene;
   flow_linear(&s->flow, scene->flow.gradient);
   TRY(single_layer_new(&s->layer, &s->mesh, scene->fluid_method, error));
+  if (s->symmetry.n_operations > 1) single_layer_use_symmetry(s->layer, &s->symmetry);
   const double mobility = 1 / (scene->flow.capillary_number * s->material.shear_modulus);
   TRY(system_new(&s->system, &s->mesh, s->membrane, s->layer, &s->flow, mobility, scene->flow.remove_flux,
                  error));
+  if (s->symmetry.n_operations > 1) s->system.symmetry = &s->symmetry;
   const StepperOptions options = {.integrator = scene->time.integrator,
                                   .is_auto = scene->time.step_is_auto,
                                   .fixed_step = scene->time.step,
@@ -97,6 +128,7 @@ void simulation_free(Simulation *s) {
   system_free(&s->system);
   single_layer_free(s->layer);
   membrane_free(s->membrane);
+  symmetry_free(&s->symmetry);
   mesh_free(&s->mesh);
   material_free(&s->material);
   *s = (Simulation){0};

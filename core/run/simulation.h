@@ -12,6 +12,7 @@
 #include "laws/material.h"
 #include "membrane/membrane.h"
 #include "mesh/mesh.h"
+#include "mesh/symmetry.h"
 #include "run/motion.h"
 
 enum { MAX_SKIPPED = 8 };
@@ -21,6 +22,7 @@ typedef struct {
   LawScales scales;
   Material material;
   Mesh mesh;
+  Symmetry symmetry; /* of mesh, flow and laws */
   Membrane *membrane;
   double volume0, area0; /* of the initial discrete surface */
 
@@ -35,6 +37,7 @@ typedef struct {
 
   Motion *motion; /* one of the two above */
   const char *skipped[MAX_SKIPPED];
+  char skipped_text[MAX_SKIPPED][160];
   size_t n_skipped;
 } Simulation;
 

@@ -628,7 +628,7 @@ START_TEST(setup_survives_the_failure_of_any_allocation) {
       Membrane *membrane;
       Error error;
       array_fail_nth(nth);
-      status = membrane_new(&membrane, &shell.mesh, &shell.material, solvers[k], &error);
+      status = membrane_new(&membrane, &shell.mesh, NULL, &shell.material, solvers[k], &error);
       array_fail_nth(0);
       if (status == STATUS_OK)
         membrane_free(membrane);
