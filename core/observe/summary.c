@@ -59,6 +59,24 @@ static void put_cost(Json *json, const Summary *summary) {
   json_integer(json, "nodes", summary->nodes);
 }
 
+/* The physical values of a scene with units, in SI. */
+static void put_physical(Json *json, const Summary *summary) {
+  const double a = summary->length_scale, time = summary->time_scale, G = summary->tension_scale;
+  if (a == 0) return;
+  json_open_object(json, "physical");
+  json_number(json, "radius_m", a);
+  json_number(json, "time_scale_s", time);
+  json_number(json, "shear_modulus_N_per_m", G);
+  json_number(json, "t_s", summary->t * time);
+  json_number(json, "L1_m", summary->L1 * a);
+  json_number(json, "L2_m", summary->L2 * a);
+  json_number(json, "L3_m", summary->L3 * a);
+  json_number(json, "Y_max_N_per_m", summary->Y_max * G);
+  json_number(json, "t_c_s", summary->t_c * time);
+  json_number(json, "t_l_s", summary->t_l * time);
+  json_close(json);
+}
+
 Status summary_print(const Summary *summary, Text *text, Error *error) {
   Json json;
   json_begin(&json, text, error);
@@ -69,6 +87,7 @@ Status summary_print(const Summary *summary, Text *text, Error *error) {
   put_damage(&json, summary);
   json_number(&json, "energy_error_max", summary->energy_error_max);
   put_cost(&json, summary);
+  put_physical(&json, summary);
   json_open_array(&json, "skipped");
   for (size_t k = 0; k < summary->n_skipped; k++) json_string(&json, NULL, summary->skipped[k]);
   json_close(&json);

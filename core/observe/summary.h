@@ -34,6 +34,8 @@ typedef struct {
   long long steps, rejected_steps, evaluations;
   double wall_seconds;
   int threads, elements, nodes;
+  /* Scales of a scene with units: metre, second, newton per metre.  All 0 for a dimensionless scene. */
+  double length_scale, time_scale, tension_scale;
   const char *const *skipped; /* sentences: what was not set up, and why */
   size_t n_skipped;
 } Summary;

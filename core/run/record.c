@@ -325,6 +325,11 @@ Status record_summary(Record *record, Summary *summary, Error *error) {
       .skipped = s->skipped,
       .n_skipped = s->n_skipped,
   };
+  if (s->scene->flow.is_physical) {
+    summary->length_scale = s->scales.length;
+    summary->time_scale = s->scales.time;
+    summary->tension_scale = s->scene->flow.shear_modulus.value;
+  }
   record_peak(record, summary->d_max_location.X, summary->d_max_location.x);
   memcpy(summary->rupture.X, data->rupture_X, sizeof data->rupture_X);
   memcpy(summary->rupture.x, data->rupture_x, sizeof data->rupture_x);

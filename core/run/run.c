@@ -88,6 +88,15 @@ cleanup:
 
 /* ---- starting ---- */
 
+static void log_parts(Run *run) {
+  const Simulation *s = &run->simulation;
+  log_note(&run->log, "%d elements, %d nodes; G_s = %g, K_s = %g", s->mesh.n_elements, s->mesh.n_nodes,
+           s->material.shear_modulus, s->material.dilatation_modulus);
+  log_note(&run->log, "elastic law %s", s->material.elastic.file);
+  if (material_has_damage(&s->material)) log_note(&run->log, "damage law %s", s->material.damage.file);
+  for (size_t i = 0; i < s->n_skipped; i++) log_note(&run->log, "skipped: %s", s->skipped[i]);
+}
+
 static Status start(Run *run, Error *error) {
   Status status = STATUS_OK;
   bool found = false;
@@ -100,6 +109,10 @@ static Status start(Run *run, Error *error) {
   }
   if (run->options->resume) log_note(&run->log, "no snapshot to resume from: starting anew");
   TRY(simulation_start(&run->simulation, error));
+  if (!simulation_is_inflation(&run->simulation))
+    log_note(&run->log, "spectral radius %.4g: steps of %s are stable up to %.3g",
+             run->simulation.stepper.memory.rho, run->simulation.stepper.integrator->name,
+             stepper_stability_limit(&run->simulation.stepper));
   TRY(output_start(&run->output, &run->simulation, error));
   TRY(record_begin(&run->record, false, error));
   TRY(take_samples(run, run->simulation.motion->t, error));
@@ -241,6 +254,7 @@ Status run_scene(const RunOptions *options, Outcome *outcome, Text *folder, Erro
   TRY(open_folder(&run, folder, error));
   TRY(simulation_new(&run.simulation, &run.scene, &run.log, error));
   TRY(record_new(&run.record, &run.simulation, error));
+  log_parts(&run);
   TRY(output_open(&run.output, folder->data, &run.simulation, error));
   progress_start(&run.progress, options->progress, options->quiet, 0, run.scene.time.end);
   TRY(start(&run, error));

@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <string.h>
 
 bool simulation_is_inflation(const Simulation *s) {
   return s->scene->flow.kind == FLOW_INFLATION;
@@ -35,6 +36,22 @@ static void derive_scales(Simulation *s) {
   scene->flow.capillary_number = scene->flow.viscosity.value * rate * scene->flow.radius.value / modulus;
 }
 
+/* A law asked for by a relative path is written into resolved.yaml by the path that was opened, so that the
+ * resolved scene runs from any folder. */
+static Status keep_opened_path(SceneLaw *law, const LoadedLaw *loaded, Error *error) {
+  if (!law->law || !strchr(law->law, '/')) return STATUS_OK;
+  Text path = {0};
+  Status status = STATUS_OK;
+  const char *id = strchr(law->law, '#');
+  TRY(text_append(&path, error, "%s%s", loaded->file, id ? id : ""));
+  array_free(law->law);
+  law->law = text_copy(path.data, error);
+  if (!law->law) status = error->code;
+cleanup:
+  text_free(&path);
+  return status;
+}
+
 static Status load_laws(Simulation *s, Log *log, Error *error) {
   Status status = STATUS_OK;
   LawSearch search = {0};
@@ -42,6 +59,8 @@ static Status load_laws(Simulation *s, Log *log, Error *error) {
   TRY(file_folder(&folder, s->scene->file, error));
   TRY(law_search_default(&search, folder.data, error));
   TRY(material_new(&s->material, s->scene, &search, &s->scales, log, error));
+  TRY(keep_opened_path(&s->scene->membrane.elastic, &s->material.elastic, error));
+  TRY(keep_opened_path(&s->scene->membrane.damage, &s->material.damage, error));
   if (!material_has_damage(&s->material)) skip(s, "damage: the scene names no damage law");
 cleanup:
   text_free(&folder);
