@@ -6,13 +6,14 @@
 #include <stdio.h>
 #include <string.h>
 
-static const char USAGE[] = "usage: capsella laws [list | show ID]\n";
+static const char USAGE[] = "usage: capsella laws [list | show ID | check FILE.so]\n";
 
 static const char HELP[] =
     "\n"
     "  list      every law on the search path: kind, id, title, file\n"
     "  show ID   one law: source, parameters with units and ranges, moduli, channels; ID may be the path\n"
     "            of a plugin, FILE.so or FILE.so#ID\n"
+    "  check FILE.so [--only REGEX] [--json]   does a plugin keep the rules, and are its laws sound?\n"
     "\n"
     "Laws are looked for in the folders of MLAW_PLUGIN_PATH (colon-separated), then in those of the "
     "program.\n";
@@ -219,7 +220,8 @@ int command_laws(int argc, char **argv) {
   }
   if (strcmp(what, "list") == 0 && argc <= 2) return list();
   if (strcmp(what, "show") == 0 && argc == 3) return show(argv[2]);
-  fprintf(stderr, "capsella laws: expected list or show ID, found '%s%s%s'\n%s", what, argc > 2 ? " " : "",
-          argc > 2 ? argv[2] : "", USAGE);
+  if (strcmp(what, "check") == 0) return command_laws_check(argc - 1, argv + 1);
+  fprintf(stderr, "capsella laws: expected list, show ID or check FILE.so, found '%s%s%s'\n%s", what,
+          argc > 2 ? " " : "", argc > 2 ? argv[2] : "", USAGE);
   return EXIT_INPUT;
 }

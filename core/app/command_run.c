@@ -72,7 +72,8 @@ static int parse(int argc, char **argv, RunOptions *options, const char **sets) 
       sets[options->n_sets++] = argv[++i];
     } else if (strcmp(argument, "--threads") == 0) {
       if (!value) return refuse("--threads needs a number", NULL);
-      if (!parse_threads(argv[++i], &options->threads)) return refuse("--threads needs a number from 1 to 4096", value);
+      if (!parse_threads(argv[++i], &options->threads))
+        return refuse("--threads needs a number from 1 to 4096", value);
     } else if (argument[0] == '-') {
       return refuse("expected an option of the list below", argument);
     } else if (options->scene_path) {

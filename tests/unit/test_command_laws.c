@@ -75,11 +75,37 @@ START_TEST(a_wrong_call_is_an_input_error_with_the_usage) {
 }
 END_TEST
 
+START_TEST(check_prints_each_test_and_ends_with_1_when_one_fails) {
+  ck_assert_int_eq(laws("check plugins/skalak.so --only energy/"), 0);
+  expect_output("passed    energy/positive-moduli                 skalak: G_s = 1, K_s = 3\n");
+  expect_output("plugins/skalak.so: 7 passed, 0 skipped, 0 failed\n");
+  ck_assert_int_eq(laws("check tests/broken/prestressed.so --only energy/no-tension-at-rest"), 1);
+  expect_output(
+      "failed    energy/no-tension-at-rest              prestressed: expected phi_1 + phi_2 = 0 at rest");
+  ck_assert_int_eq(laws("check tests/broken/prestressed.so --only energy/no-tension-at-rest --json"), 1);
+  expect_output("\"test\": \"no-tension-at-rest\"");
+  expect_output("\"outcome\": \"failed\"");
+  expect_output("\"failed\": 1");
+}
+END_TEST
+
+START_TEST(check_of_nothing_is_an_input_error) {
+  ck_assert_int_eq(laws("check"), 2);
+  ck_assert_int_eq(laws("check nothing.so"), 2);
+  expect_output("nothing.so: not a file that can be read");
+  ck_assert_int_eq(laws("check plugins/skalak.so --only nonsense"), 2);
+  ck_assert_int_eq(laws("check --help"), 0);
+  expect_output("usage: capsella laws check");
+}
+END_TEST
+
 int main(void) {
   return suite_run("command_laws",
                    (SuiteTests){list_gives_kind_id_title_and_file_of_every_law,
                                 show_prints_an_energy_law_with_parameters_and_moduli,
                                 show_prints_a_damage_law_with_its_channels_and_history,
                                 a_law_that_is_not_there_is_an_input_error_with_the_nearest_name,
-                                a_wrong_call_is_an_input_error_with_the_usage, NULL});
+                                a_wrong_call_is_an_input_error_with_the_usage,
+                                check_prints_each_test_and_ends_with_1_when_one_fails,
+                                check_of_nothing_is_an_input_error, NULL});
 }

@@ -1,0 +1,117 @@
+/* capsella laws check: the conformance suite on one plugin, as text or as JSON. */
+#include "app/commands.h"
+#include "laws/conformance.h"
+#include "observe/json.h"
+#include <stdbool.h>
+#include <stdio.h>
+#include <string.h>
+
+static const char USAGE[] = "usage: capsella laws check FILE.so [--only REGEX] [--json]\n";
+
+static const char HELP[] =
+    "\n"
+    "  --only REGEX   only tests whose group/name matches, as in --only energy/ or --only 'hole|overrun'\n"
+    "  --json         one JSON object: file, results, counts\n"
+    "\n"
+    "Each test runs in a process of its own for 10 s at most.\n"
+    "Exit code: 0 every test passed (or did not apply), 1 some did not, 2 the call is wrong.\n";
+
+/* A test takes milliseconds; ten seconds are for laws that iterate, on a busy machine. */
+static const double TIME_LIMIT = 10.0;
+
+static void print_text(const char *file, const ConformanceReport *report) {
+  for (size_t i = 0; i < report->n; i++) {
+    const ConformanceResult *result = &report->result[i];
+    char name[96];
+    snprintf(name, sizeof name, "%s/%s", result->group, result->name);
+    printf("%-9s %-38s %s%s%s\n", conformance_outcome_name(result->outcome), name, result->law,
+           result->text[0] ? ": " : "", result->text);
+  }
+  size_t count[CONFORMANCE_TIMED_OUT + 1] = {0};
+  for (size_t i = 0; i < report->n; i++) count[report->result[i].outcome]++;
+  printf("%s: %zu passed, %zu skipped, %zu failed\n", file, count[CONFORMANCE_PASSED],
+         count[CONFORMANCE_SKIPPED], report->n_bad);
+}
+
+static Status print_json(const char *file, const ConformanceReport *report, Error *error) {
+  Status status;
+  Json json;
+  Text text = {0};
+  json_begin(&json, &text, error);
+  json_open_object(&json, NULL);
+  json_string(&json, "file", file);
+  json_open_array(&json, "results");
+  for (size_t i = 0; i < report->n; i++) {
+    const ConformanceResult *result = &report->result[i];
+    json_open_object(&json, NULL);
+    json_string(&json, "group", result->group);
+    json_string(&json, "test", result->name);
+    json_string(&json, "about", result->about);
+    json_string(&json, "law", result->law[0] ? result->law : NULL);
+    json_string(&json, "outcome", conformance_outcome_name(result->outcome));
+    json_string(&json, "text", result->text);
+    json_close(&json);
+  }
+  json_close(&json);
+  json_integer(&json, "tests", (long long)report->n);
+  json_integer(&json, "failed", (long long)report->n_bad);
+  json_close(&json);
+  TRY(json_end(&json));
+  fputs(text.data, stdout);
+cleanup:
+  text_free(&text);
+  return status;
+}
+
+static int refuse(const char *message, const char *found) {
+  fprintf(stderr, "capsella laws check: %s%s%s%s\n%s", message, found ? " '" : "", found ? found : "",
+          found ? "'" : "", USAGE);
+  return EXIT_INPUT;
+}
+
+static int fail(const Error *error) {
+  fprintf(stderr, "capsella laws check: %s\n", error->text);
+  return exit_code(error->code);
+}
+
+/* Fills in the options; -1 to go on, an exit code otherwise. */
+static int parse(int argc, char **argv, ConformanceOptions *options, bool *json) {
+  for (int i = 1; i < argc; i++) {
+    if (strcmp(argv[i], "--help") == 0 || strcmp(argv[i], "-h") == 0) {
+      fputs(USAGE, stdout);
+      fputs(HELP, stdout);
+      return EXIT_DONE;
+    }
+    if (strcmp(argv[i], "--json") == 0) {
+      *json = true;
+    } else if (strcmp(argv[i], "--only") == 0) {
+      if (++i == argc) return refuse("expected a regular expression after --only", NULL);
+      options->only = argv[i];
+    } else if (argv[i][0] == '-' || options->file) {
+      return refuse("expected one file and options, found", argv[i]);
+    } else {
+      options->file = argv[i];
+    }
+  }
+  return options->file ? -1 : refuse("expected a file, found none", NULL);
+}
+
+int command_laws_check(int argc, char **argv) {
+  ConformanceOptions options = {.time_limit = TIME_LIMIT};
+  ConformanceReport report;
+  Error error;
+  bool json = false;
+  const int code = parse(argc, argv, &options, &json);
+  if (code >= 0) return code;
+  Status status = conformance_run(&options, &report, &error);
+  if (status != STATUS_OK) return fail(&error);
+  if (json) {
+    status = print_json(options.file, &report, &error);
+  } else {
+    print_text(options.file, &report);
+  }
+  const bool bad = report.n_bad > 0;
+  conformance_free(&report);
+  if (status != STATUS_OK) return fail(&error);
+  return bad ? EXIT_FAILED : EXIT_DONE;
+}

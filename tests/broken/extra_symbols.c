@@ -1,0 +1,10 @@
+/* Lets everybody see one of its helpers. */
+#include "fixture.h"
+
+MLAW_EXPORT double helper_of_everybody(double x);
+double helper_of_everybody(double x) {
+  return 2.0 * x;
+}
+ONE_PARAMETER("G_s");
+static const mlaw_energy law = {ALIKE(mlaw_energy, "extra_symbols"), .eval = sound_eval};
+ENERGY_PLUGIN("extra_symbols")
