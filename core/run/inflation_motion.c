@@ -31,12 +31,13 @@ static void at(const Motion *motion, double t, double *x, double *v) {
   }
 }
 
-/* The next time at which a step ends: a corner of the path, or `longest` further on. */
+/* The next time at which a step ends: a corner of the path, or `longest` further on, without a crumb of a
+ * step from round-off. */
 static double next_time(const InflationMotion *m, double t_limit) {
-  double t1 = fmin(t_limit, m->base.t + m->longest);
+  double t1 = t_limit;
   for (size_t k = 0; k < m->n_path; k++)
     if (m->path[k][0] > m->base.t && m->path[k][0] < t1) t1 = m->path[k][0];
-  return t1;
+  return t1 - m->base.t <= m->longest * (1 + 1e-9) ? t1 : m->base.t + m->longest;
 }
 
 static Status propose(Motion *motion, double t_limit, double *t1, Log *log, Error *error) {

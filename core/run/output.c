@@ -90,8 +90,11 @@ static double start_time(const Simulation *s) {
   return simulation_is_inflation(s) ? s->scene->flow.path[0][0] : 0;
 }
 
+/* A multiple of `every` that misses the end of the run by round-off is the end: no crumb of a step before it.
+ */
 static double due(const Simulation *s, long long next, double every) {
-  return every > 0 ? start_time(s) + (double)next * every : INFINITY;
+  const double t = every > 0 ? start_time(s) + (double)next * every : INFINITY, end = s->scene->time.end;
+  return fabs(t - end) <= 1e-9 * every ? end : t;
 }
 
 double output_next_sample(const Output *output, const Simulation *s) {

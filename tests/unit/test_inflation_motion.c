@@ -74,6 +74,15 @@ START_TEST(no_step_is_longer_than_the_longest) {
 }
 END_TEST
 
+START_TEST(equal_steps_reach_a_corner_without_a_crumb) {
+  Balloon b;
+  balloon_open(&b, 0.1); /* ten of which add up to less than one */
+  for (int step = 1; step <= 10; step++) ck_assert_double_eq_tol(advance(&b, 3), 0.1 * step, 1e-12);
+  ck_assert_double_eq(b.motion.base.t, 1);
+  balloon_close(&b);
+}
+END_TEST
+
 START_TEST(the_nodes_move_along_their_radii) {
   Balloon b;
   balloon_open(&b, 0.25);
@@ -211,7 +220,8 @@ int main(void) {
       "inflation_motion",
       (SuiteTests){alpha_follows_the_path_and_stays_at_its_ends,
                    steps_end_on_the_corners_of_the_path_and_on_the_limit, no_step_is_longer_than_the_longest,
-                   the_nodes_move_along_their_radii, the_velocity_at_a_corner_is_that_of_the_step,
+                   equal_steps_reach_a_corner_without_a_crumb, the_nodes_move_along_their_radii,
+                   the_velocity_at_a_corner_is_that_of_the_step,
                    the_load_at_the_end_of_a_step_is_the_pressure_there,
                    a_step_that_the_law_refuses_fails_since_it_cannot_be_cut, a_shortened_step_ends_there,
                    a_restored_inflation_goes_on_bitwise_the_same, NULL});
