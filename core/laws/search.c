@@ -89,17 +89,19 @@ static Status add_matching_folder(void *search, const char *path, Error *error) 
 /* The plugins that belong to the running program: in its build tree, or installed under the same prefix. */
 static Status add_own_folders(LawSearch *search, Error *error) {
   Status status = STATUS_OK;
-  Text folder = {0}, beside = {0};
+  Text folder = {0}, beside = {0}, prefix = {0};
   char program[4096];
   ssize_t length = readlink("/proc/self/exe", program, sizeof program - 1);
   if (length <= 0) return STATUS_OK; /* no such link here: scene and environment must do */
   program[length] = '\0';
   TRY(file_folder(&folder, program, error));
+  TRY(file_folder(&prefix, folder.data, error));
   TRY(file_join(&beside, folder.data, "plugins", error));
   TRY(add_folder(search, beside.data, error));
-  TRY(for_each_match(folder.data, "/../lib*/capsella/plugins", add_matching_folder, search, error));
-  TRY(for_each_match(folder.data, "/../lib/*/capsella/plugins", add_matching_folder, search, error));
+  TRY(for_each_match(prefix.data, "/lib*/capsella/plugins", add_matching_folder, search, error));
+  TRY(for_each_match(prefix.data, "/lib/*/capsella/plugins", add_matching_folder, search, error));
 cleanup:
+  text_free(&prefix);
   text_free(&beside);
   text_free(&folder);
   return status;

@@ -288,6 +288,88 @@ START_TEST(a_general_law_whose_damage_falls_stops_the_run) {
 }
 END_TEST
 
+/* dd/dt = <T1/T_R - 1>/tau with the time of overload as a variable: the template of the general kind. */
+static Material overloaded(double T_R, double tau) {
+  SceneParameter parameters[] = {number("T_R", T_R), number("tau", tau)};
+  return make_material(scene_law("neo_hookean", NULL, 0),
+                       scene_law(BUILD_DIR "/template/general_damage_law.so", parameters, 2));
+}
+
+START_TEST(a_general_law_steps_from_the_accepted_state_in_its_own_channels) {
+  enum { STEPS = 20 };
+  Error error;
+  Material material = overloaded(0.5, 2.0);
+  double Y = 0.3, T1 = 0.75, Ymax[2] = {0}, d[2] = {0}, time[2];
+  ck_assert_uint_eq(material_channels(&material), 1u << MLAW_Y | 1u << MLAW_T1);
+  ck_assert_int_eq(material_damage_vars(&material), 1);
+  material_start_state(&material, LAW_DAMAGE, 1, 1, time);
+  for (int k = 0; k < STEPS; k++) {
+    const DamageBatch batch = {.n = 1,
+                               .ld = 1,
+                               .t = 0.1 * k,
+                               .dt = 0.1,
+                               .chan0 = {[MLAW_Y] = &Y, [MLAW_T1] = &T1},
+                               .chan = {[MLAW_Y] = &Y, [MLAW_T1] = &T1},
+                               .Ymax0 = &Ymax[0],
+                               .d0 = &d[0],
+                               .state0 = &time[0],
+                               .Ymax1 = &Ymax[1],
+                               .d1 = &d[1],
+                               .state1 = &time[1]};
+    ck_assert_int_eq(material_damage(&material, &batch, NULL, &error), STATUS_OK);
+    Ymax[0] = Ymax[1];
+    d[0] = d[1];
+    time[0] = time[1];
+  }
+  ck_assert_double_eq_tol(d[0], 0.5 * 0.1 * STEPS / 2.0, 1e-14); /* (0.75/0.5 - 1) t/tau */
+  ck_assert_double_eq_tol(time[0], 0.1 * STEPS, 1e-14);
+  ck_assert_double_eq(Ymax[0], 0.3);
+  material_free(&material);
+}
+END_TEST
+
+START_TEST(damage_of_a_general_law_stops_at_the_cap_too) {
+  Error error;
+  Material material = overloaded(0.5, 0.01);
+  double Y = 0.3, T1 = 1.5, Ymax[2] = {0}, d[2] = {0}, time[2] = {0};
+  const DamageBatch batch = {.n = 1,
+                             .ld = 1,
+                             .dt = 1.0,
+                             .chan0 = {[MLAW_Y] = &Y, [MLAW_T1] = &T1},
+                             .chan = {[MLAW_Y] = &Y, [MLAW_T1] = &T1},
+                             .Ymax0 = &Ymax[0],
+                             .d0 = &d[0],
+                             .state0 = &time[0],
+                             .Ymax1 = &Ymax[1],
+                             .d1 = &d[1],
+                             .state1 = &time[1]};
+  ck_assert_int_eq(material_damage(&material, &batch, NULL, &error), STATUS_OK);
+  ck_assert_double_eq(d[1], 1.0);
+  material_free(&material);
+}
+END_TEST
+
+START_TEST(a_law_built_with_longer_structures_runs) {
+  SceneParameter spare[] = {number("spare", 3.0)};
+  Material material = make_material(scene_law("from_the_future", spare, 1), NONE);
+  ck_assert_double_eq(material.elastic_parameter[0], 1.0);
+  ck_assert_double_eq(material.elastic_parameter[1], 3.0);
+  ck_assert_double_eq_tol(material.dilatation_modulus, 3.0, 1e-9);
+  material_free(&material);
+}
+END_TEST
+
+START_TEST(a_unit_in_a_scene_without_physical_flow_is_refused) {
+  Error error;
+  Material material;
+  SceneParameter modulus[] = {number("G_s", 0.1)};
+  modulus[0].value.has_unit = true;
+  memcpy(modulus[0].value.dim, (const signed char[4]){1, 0, -2, 0}, 4);
+  ck_assert_int_eq(try_material(&material, scene_law("neo_hookean", modulus, 1), NONE, &error), STATUS_INPUT);
+  ck_assert_ptr_nonnull(strstr(error.text, "the scene gives no physical scales"));
+}
+END_TEST
+
 START_TEST(an_elastic_material_has_no_damage_and_asks_for_no_channel) {
   Material material = neo_hookean();
   ck_assert(!material_has_damage(&material));
@@ -321,20 +403,28 @@ START_TEST(set_up_survives_the_failure_of_any_allocation) {
 END_TEST
 
 int main(void) {
-  return suite_run(
-      "material",
-      (SuiteTests){
-          inflated_neo_hookean_membrane_has_the_tension_and_energy_of_the_paper,
-          stretched_neo_hookean_membrane_has_the_tension_of_the_paper,
-          stretched_skalak_membrane_has_its_published_tension, moduli_at_rest_are_those_of_linear_theory,
-          moduli_of_a_law_without_second_derivatives_come_from_differences,
-          a_law_that_refuses_a_point_rejects_the_step_and_the_point_is_named,
-          a_value_that_is_not_finite_rejects_the_step_and_the_point_is_named,
-          a_law_never_sees_a_strain_that_cannot_be, a_law_with_tension_at_rest_is_refused,
-          damage_is_zeta_of_the_largest_Y, damage_stops_at_the_cap_of_the_scene,
-          a_trial_leaves_the_accepted_values_alone, without_hardening_the_first_excess_breaks,
-          a_damage_law_is_not_called_while_no_point_exceeds_its_largest_Y,
-          a_release_rate_that_is_not_a_number_is_refused, a_general_law_whose_damage_falls_stops_the_run,
-          an_elastic_material_has_no_damage_and_asks_for_no_channel,
-          set_up_survives_the_failure_of_any_allocation, NULL});
+  return suite_run("material",
+                   (SuiteTests){inflated_neo_hookean_membrane_has_the_tension_and_energy_of_the_paper,
+                                stretched_neo_hookean_membrane_has_the_tension_of_the_paper,
+                                stretched_skalak_membrane_has_its_published_tension,
+                                moduli_at_rest_are_those_of_linear_theory,
+                                moduli_of_a_law_without_second_derivatives_come_from_differences,
+                                a_law_that_refuses_a_point_rejects_the_step_and_the_point_is_named,
+                                a_value_that_is_not_finite_rejects_the_step_and_the_point_is_named,
+                                a_law_never_sees_a_strain_that_cannot_be,
+                                a_law_with_tension_at_rest_is_refused,
+                                damage_is_zeta_of_the_largest_Y,
+                                damage_stops_at_the_cap_of_the_scene,
+                                a_trial_leaves_the_accepted_values_alone,
+                                without_hardening_the_first_excess_breaks,
+                                a_damage_law_is_not_called_while_no_point_exceeds_its_largest_Y,
+                                a_release_rate_that_is_not_a_number_is_refused,
+                                a_general_law_whose_damage_falls_stops_the_run,
+                                a_general_law_steps_from_the_accepted_state_in_its_own_channels,
+                                damage_of_a_general_law_stops_at_the_cap_too,
+                                a_law_built_with_longer_structures_runs,
+                                a_unit_in_a_scene_without_physical_flow_is_refused,
+                                an_elastic_material_has_no_damage_and_asks_for_no_channel,
+                                set_up_survives_the_failure_of_any_allocation,
+                                NULL});
 }

@@ -11,7 +11,7 @@
  *
  * STRAINS.  l1 >= l2 are the principal stretches of the surface.
  *     I1 = l1^2 + l2^2 - 2        I2 = l1^2 l2^2 - 1        both 0 at rest
- *     admissible: I2 > -1 and I1 >= 2 (sqrt(1 + I2) - 1)
+ *     admissible: I2 > -1 and I1 >= 2 (sqrt(1 + I2) - 1), up to rounding; a law is handed nothing else
  * ENERGY.  phi(I1, I2) per unit of reference area, phi_1 = dphi/dI1 and so on.  The host derives
  *     tensions      T1 = 2 (l1/l2) (phi_1 + l2^2 phi_2), T2 with 1 and 2 exchanged
  *     at rest       no tension: phi_1 + phi_2 = 0
@@ -182,7 +182,7 @@ typedef struct {
   const double *state0;       /* [n_vars][ld] at t, for update */
   double *state1;             /* [n_vars][ld] at t + dt, for update */
   double *f;                  /* threshold: [n] f(Y; d0) */
-  double *zeta;               /* evolution: [n] zeta(Y); values outside 0 .. 1 are clipped by the host */
+  double *zeta;               /* evolution: [n] zeta(Y): finite; outside 0 .. 1 the host clips it */
   double *dzeta;              /* evolution: [n] its slope dzeta/dY, or NULL */
   double *d1;                 /* update: [n] damage at t + dt */
   mlaw_error *err;
