@@ -1,6 +1,5 @@
 /* Does a plugin keep the rules of mlaw.h, and is its law sound?  Every test runs in a process of its own with
- * a time limit, so that a plugin that crashes, loops or spoils its memory costs one test and not the checker.
- */
+ * a time limit, so that one that crashes, loops or spoils its memory costs one test and not the checker. */
 #ifndef CAPSELLA_LAWS_CONFORMANCE_H
 #define CAPSELLA_LAWS_CONFORMANCE_H
 

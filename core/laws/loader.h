@@ -3,9 +3,8 @@
  * A law is asked for by its id ("skalak", "acme.creep") or by the path of a shared object ("./acme.so", or
  * "./acme.so#acme.creep" when it holds several laws of the kind).  The id `skalak` is looked for in
  * skalak.so; `acme.creep` in acme.creep.so, creep.so and acme.so.  Only files that a request names are
- * opened.  A file that is there but
- * cannot serve ends the search: it is never passed over in favour of a later one.  Nothing here knows a law
- * by name. */
+ * opened.  A file that is there but cannot serve ends the search: it is never passed over in favour of a
+ * later one.  Nothing here knows a law by name. */
 #ifndef CAPSELLA_LAWS_LOADER_H
 #define CAPSELLA_LAWS_LOADER_H
 

@@ -27,9 +27,9 @@
  *     [setup]  check: one thread, before the run.
  *     [kernel] eval, threshold, evolution, update: many threads at once on separate batches.  No allocation,
  *              input or output, lock, global variable, locale, signal, or change of the floating-point mode.
- *  2. Inputs are read only.  Outputs overlap neither inputs nor each other; a two-dimensional array is
- * [k][ld] with ld >= n and its entries n .. ld-1 are not touched.  Every other entry of an output that is
- * asked for is written.  Alignment is that of double.  n may be 0.
+ *  2. Inputs are read only.  Outputs overlap neither inputs nor each other.  Every entry of an output that
+ *     is asked for is written; of a two-dimensional array, [k][ld] with ld >= n, the entries n .. ld-1 are
+ *     not touched.  Alignment is that of double.  n may be 0.
  *  3. A point depends on its own entries alone: results are the same for any batch it is part of.
  *  4. Pointers handed to a law die with the call.  Descriptors live for ever: make them `static const`.
  *  5. A law that cannot answer returns a status other than MLAW_OK and says which point and why in `err`
@@ -191,8 +191,8 @@ typedef struct {
 /* A damage law is of one of two kinds.
  *
  * Explicit (threshold and evolution; update NULL; no variables; needs = 1u << MLAW_Y): damage is a function
- * of the largest Y so far.  Admissible are f(Y; d) <= 0; zeta never falls with Y and inverts f(Y; zeta(Y)) =
- * 0. The host does, at each point,   Ymax = max(Ymax, Y),   d = min(d_max, max(d, zeta(Ymax))).
+ * of the largest Y so far.  Admissible are f(Y; d) <= 0; zeta never falls with Y, and f(Y; zeta(Y)) = 0.
+ * The host does, at each point,   Ymax = max(Ymax, Y),   d = min(d_max, max(d, zeta(Ymax))).
  *
  * General (update; threshold and evolution NULL): the law names its channels in `needs` and steps damage and
  * its own variables from t to t + dt.  The host caps d1 at d_max and refuses d1 < d0. */
