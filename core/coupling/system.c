@@ -19,7 +19,6 @@ Status system_new(CoupledSystem *system, const Mesh *mesh, Membrane *membrane, S
   TRY(ARRAY_NEW(&system->q, n, error));
   TRY(ARRAY_NEW(&system->u, n, error));
   TRY(ARRAY_NEW(&system->normal, n, error));
-  TRY(ARRAY_NEW(&system->area_vector, n, error));
 cleanup:
   if (status != STATUS_OK) system_free(system);
   return status;
@@ -30,40 +29,33 @@ void system_free(CoupledSystem *system) {
   array_free(system->q);
   array_free(system->u);
   array_free(system->normal);
-  array_free(system->area_vector);
   *system = (CoupledSystem){0};
 }
 
-/* Area vectors A_p (dV = sum_p dx_p . A_p) and unit normals at x; returns the rate of change of the volume
- * for a unit normal velocity, sum_p n_p . A_p. */
+/* Unit normals at x; returns the rate of change of the volume for a unit normal velocity, int n . n dS. */
 static double measure_normals(CoupledSystem *system, const double *x) {
-  double area = 0;
-  surface_area_vectors(system->mesh, x, system->area_vector);
-  surface_normals(system->mesh, x, system->normal);
-  for (int i = 0; i < 3 * system->mesh->n_nodes; i++) area += system->normal[i] * system->area_vector[i];
-  return area;
+  surface_orbit_normals(system->mesh, system->symmetry, x, system->normal);
+  return surface_flux(system->mesh, system->symmetry, x, system->normal);
 }
 
-/* v <- v - c n, with c such that dV/dt = sum_p v_p . A_p = 0. */
+/* v <- v - c n, with c such that int v . n dS = 0. */
 static void remove_mean_flux(CoupledSystem *system, const double *x, double *v) {
-  const int n = 3 * system->mesh->n_nodes;
-  const double area = measure_normals(system, x);
-  double flux = 0;
-  for (int i = 0; i < n; i++) flux += v[i] * system->area_vector[i];
-  for (int i = 0; i < n; i++) v[i] -= flux / area * system->normal[i];
+  const double c = surface_flux(system->mesh, system->symmetry, x, v) / measure_normals(system, x);
+  for (int i = 0; i < 3 * system->mesh->n_nodes; i++) v[i] -= c * system->normal[i];
 }
 
 static void restore_volume(CoupledSystem *system, double *x) {
   for (int newton = 0; newton < 2; newton++) { /* from an error e, the second leaves e^4 */
-    const double excess = surface_volume(system->mesh, x) - system->volume0;
+    const double excess = surface_flux(system->mesh, system->symmetry, x, x) / 3 - system->volume0;
     const double shift = excess / measure_normals(system, x);
     for (int i = 0; i < 3 * system->mesh->n_nodes; i++) x[i] -= shift * system->normal[i];
+    if (system->symmetry) symmetry_spread(system->symmetry, x);
   }
 }
 
 void system_constrain(CoupledSystem *system, double *x) {
-  if (system->keep_volume) restore_volume(system, x);
   if (system->symmetry) symmetry_spread(system->symmetry, x);
+  if (system->keep_volume) restore_volume(system, x);
 }
 
 Status system_velocity(CoupledSystem *system, const double *x, double t, double dt, double *v, Error *error) {
@@ -75,8 +67,8 @@ Status system_velocity(CoupledSystem *system, const double *x, double t, double 
   TRY(single_layer_evaluate(system->layer, x, system->q, system->u, error));
   flow_velocity(system->flow, system->mesh->n_nodes, x, t + dt, v);
   for (int i = 0; i < n; i++) v[i] -= system->mobility * system->u[i];
-  if (system->keep_volume) remove_mean_flux(system, x, v);
   if (system->symmetry) symmetry_spread(system->symmetry, v);
+  if (system->keep_volume) remove_mean_flux(system, x, v);
   for (int i = 0; i < n; i++)
     if (!isfinite(v[i]))
       return error_set(error, STATUS_REJECT, "the velocity of node %d is not finite", i / 3);

@@ -27,7 +27,7 @@ typedef struct {
   double volume0;   /* enclosed by the initial surface */
   double *R,
       *q; /* [n_nodes][3] internal force and load of the last evaluation; q starts the next mass solve */
-  double *u, *normal, *area_vector; /* [n_nodes][3] scratch */
+  double *u, *normal; /* [n_nodes][3] scratch */
   long long evaluations;
 } CoupledSystem;
 

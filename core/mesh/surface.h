@@ -3,6 +3,7 @@
 #define CAPSELLA_MESH_SURFACE_H
 
 #include "mesh/mesh.h"
+#include "mesh/symmetry.h"
 
 /* Enclosed volume (exact: the integrand x . (a1 x a2) is a polynomial of degree 4) and area, x [n_nodes][3].
  */
@@ -15,5 +16,13 @@ void surface_area_vectors(const Mesh *mesh, const double *x, double *A);
 
 /* Outward unit normals at the nodes, averaged over the elements around each, [n_nodes][3]. */
 void surface_normals(const Mesh *mesh, const double *x, double *n);
+
+/* Flux int v . n dS of a nodal field v [n_nodes][3] through the surface, exact for any P2 field; the flux of
+ * x itself is three times the volume.  With a symmetry that x and v have, one element of each orbit is
+ * enough; NULL: none. */
+double surface_flux(const Mesh *mesh, const Symmetry *symmetry, const double *x, const double *v);
+
+/* surface_normals for positions that have a symmetry, from one node of each orbit; NULL: none. */
+void surface_orbit_normals(const Mesh *mesh, const Symmetry *symmetry, const double *x, double *n);
 
 #endif

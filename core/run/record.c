@@ -285,7 +285,8 @@ Status record_advance(Record *record, Error *error) {
   const double h = record->t1 - s->motion->t, work = work_done(record);
   data->energy_error_max = fmax(data->energy_error_max, fabs(energy_error(record)));
   data->volume_error_max =
-      fmax(data->volume_error_max, fabs(surface_volume(&s->mesh, record->x) / s->volume0 - 1));
+      fmax(data->volume_error_max,
+           fabs(surface_flux(&s->mesh, &s->symmetry, record->x, record->x) / (3 * s->volume0) - 1));
   data->Y_max = largest_release_rate(record);
   data->dissipated = dissipated(record);
   data->power_slope = (power(record, record->R) - record->power0) / h;
