@@ -11,6 +11,7 @@
 
 typedef struct {
   Mesh mesh;
+  Symmetry symmetry; /* used by the membrane when it has operations */
   Material material;
   Membrane *membrane;
   int n; /* 3 n_nodes */
@@ -23,14 +24,23 @@ static inline SceneLaw no_law(void) {
   return scene_law(NULL, NULL, 0);
 }
 
+/* The membrane of a shell whose mesh and symmetry are there. */
+static inline void shell_add_membrane(Shell *shell, SceneLaw elastic, SceneLaw damage, MassSolver solver) {
+  Error error;
+  const Symmetry *symmetry = shell->symmetry.n_operations > 0 ? &shell->symmetry : NULL;
+  shell->material = make_material(elastic, damage);
+  shell->n = 3 * shell->mesh.n_nodes;
+  ck_assert_int_eq(membrane_new(&shell->membrane, &shell->mesh, symmetry, &shell->material, solver, &error),
+                   STATUS_OK);
+}
+
 /* `shell` must stay where it is until shell_close. */
 static inline void shell_open_with(Shell *shell, int subdivisions, SceneLaw elastic, SceneLaw damage,
                                    MassSolver solver) {
   Error error;
+  shell->symmetry = (Symmetry){0};
   ck_assert_int_eq(mesh_sphere(&shell->mesh, subdivisions, NULL, &error), STATUS_OK);
-  shell->material = make_material(elastic, damage);
-  ck_assert_int_eq(membrane_new(&shell->membrane, &shell->mesh, NULL, &shell->material, solver, &error), STATUS_OK);
-  shell->n = 3 * shell->mesh.n_nodes;
+  shell_add_membrane(shell, elastic, damage, solver);
 }
 
 static inline void shell_open(Shell *shell, int subdivisions) {
@@ -46,6 +56,7 @@ static inline void shell_open_damaged(Shell *shell, int subdivisions) {
 static inline void shell_close(Shell *shell) {
   membrane_free(shell->membrane);
   material_free(&shell->material);
+  symmetry_free(&shell->symmetry);
   mesh_free(&shell->mesh);
 }
 
