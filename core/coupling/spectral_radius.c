@@ -4,7 +4,7 @@
 #include <stdint.h>
 
 enum { MAX_ITERATIONS = 60 };
-static const double CONVERGED = 5e-3; /* relative change between two iterates */
+static const double CONVERGED = 1e-2; /* relative change between two iterates */
 static const double PERTURBATION = 1e-6;
 
 static double norm(int n, const double *x) {
