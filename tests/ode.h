@@ -56,6 +56,17 @@ static inline Rhs decay_rhs(Decay *decay) {
   return (Rhs){.n = decay->n, .context = decay, .evaluate = decay_evaluate};
 }
 
+/* x' = 1 / (pi w (1 + ((t - 1)/w)^2)): all at once around t = 1. */
+static inline Status pulse_evaluate(void *context, const double *x, double t, double dt, double *f,
+                                    Error *error) {
+  (void)x;
+  (void)error;
+  const double width = *(const double *)context, u = (t + dt - 1) / width;
+  f[0] = 1 / (3.14159265358979323846 * width * (1 + u * u));
+  f[1] = f[2] = 0;
+  return STATUS_OK;
+}
+
 /* Counts evaluations, and answers with `code` in place of f at those numbered first .. last (from 1) or at
  * those beyond a time. */
 typedef struct {
