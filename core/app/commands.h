@@ -10,6 +10,7 @@ int command_run(int argc, char **argv);
 int command_laws(int argc, char **argv);
 int command_laws_check(int argc, char **argv); /* of command_laws: argv[0] = "check" */
 int command_report(int argc, char **argv);
+int command_bench(int argc, char **argv);
 int command_manual(int argc, char **argv);
 
 /* 2 when the input is wrong, 1 when something else failed, 0 when nothing did. */

@@ -12,6 +12,7 @@ static const struct {
     {"run", command_run, "run a scene: deformation, damage and rupture of a capsule"},
     {"laws", command_laws, "list the laws of membrane and damage, show one"},
     {"report", command_report, "make a picture of the last state in a folder of results"},
+    {"bench", command_bench, "measure run time against error on this machine"},
     {"manual", command_manual, "print every key of a scene file (Markdown)"},
 };
 enum { N_COMMANDS = sizeof COMMANDS / sizeof *COMMANDS };
