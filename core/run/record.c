@@ -64,11 +64,15 @@ static double dissipated(const Record *record) {
   return record->data.dissipated + membrane_dissipation(s->membrane) / s->material.shear_modulus;
 }
 
-/* (stored + dissipated - work) / work: what the energy balance leaves over. */
+static double energy_scale(const Record *record) {
+  return fmax(record->data.energy_scale, fmax(fabs(work_done(record)), stored(record) + dissipated(record)));
+}
+
+/* What the energy balance leaves over, stored + dissipated - work, relative to the largest energy so far (a
+ * capsule that comes back to rest holds none). */
 static double energy_error(const Record *record) {
-  const double spent = stored(record) + dissipated(record), work = work_done(record);
-  const double scale = fmax(fabs(work), spent);
-  return scale > 0 ? (spent - work) / scale : 0;
+  const double scale = energy_scale(record);
+  return scale > 0 ? (stored(record) + dissipated(record) - work_done(record)) / scale : 0;
 }
 
 /* ---- probing ---- */
@@ -283,6 +287,7 @@ Status record_advance(Record *record, Error *error) {
   const Simulation *s = record->simulation;
   TRY(record_probe(record, record->t1, error));
   const double h = record->t1 - s->motion->t, work = work_done(record);
+  data->energy_scale = energy_scale(record);
   data->energy_error_max = fmax(data->energy_error_max, fabs(energy_error(record)));
   data->volume_error_max =
       fmax(data->volume_error_max,

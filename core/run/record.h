@@ -17,6 +17,8 @@ typedef struct {
   double Y_max;    /* largest Y of any integration point so far (paper eq. 2.31) */
   double volume_error_max, energy_error_max;
   double work, dissipated; /* up to the accepted time, in units of G_s a^2 */
+  double energy_scale;     /* the largest of work and energy spent so far: what the error of the balance is
+                              relative to */
   double power_slope;      /* divided difference of the power over the last step */
   double rupture_X[3], rupture_x[3], rupture_to_vorticity, rupture_to_major, rupture_area;
   double steady_since; /* start of the time over which rates stayed below stop.steady; NAN: not now */
