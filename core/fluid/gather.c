@@ -8,19 +8,25 @@ void gather_start(Gather *gather, const double target[3]) {
 }
 
 void gather_flush(Gather *gather) {
-  oseen_sum_blocks(gather->listed, gather->n_listed, gather->target, gather->u);
+  oseen_sum(gather->listed, gather->n_listed, gather->target, gather->u);
   gather->n_listed = gather->n_kept = 0;
 }
 
-void gather_add(Gather *gather, const OseenBlock *blocks, int n) {
+OseenRun *gather_room(Gather *gather, int n) {
   if (gather->n_listed + n > GATHER_LISTED) gather_flush(gather);
-  for (int i = 0; i < n; i++) gather->listed[gather->n_listed++] = &blocks[i];
+  return &gather->listed[gather->n_listed];
+}
+
+void gather_used(Gather *gather, int n) {
+  gather->n_listed += n;
 }
 
 OseenBlock *gather_reserve(Gather *gather, int n) {
-  if (gather->n_kept + n > GATHER_KEPT || gather->n_listed + n > GATHER_LISTED) gather_flush(gather);
+  if (gather->n_kept + n > GATHER_KEPT) gather_flush(gather);
+  OseenRun *run = gather_room(gather, 1);
   OseenBlock *blocks = &gather->kept[gather->n_kept];
-  gather_add(gather, blocks, n);
+  *run = (OseenRun){blocks, n};
+  gather_used(gather, 1);
   gather->n_kept += n;
   return blocks;
 }

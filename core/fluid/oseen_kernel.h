@@ -5,20 +5,19 @@
 
 enum { OSEEN_LANES = 8 };
 
-/* Points y and the forces f that act there, one array for each component. */
-typedef struct {
-  double *y[3], *f[3];
-} OseenSources;
-
-/* A few points that stand together in memory; places not needed repeat a point, with no force. */
+/* Points y and the forces f that act there, as many as fill a vector; places not needed repeat a point, with
+ * no force. */
 typedef struct {
   double y[3][OSEEN_LANES], f[3][OSEEN_LANES];
 } OseenBlock;
 
-/* u += sum of J(x, y_i) f_i over first <= i < last, with J = 1/r + r r / r^3.  No y_i may be x. */
-void oseen_sum(const OseenSources *sources, int first, int last, const double x[3], double u[3]);
+/* Blocks that stand one after the other. */
+typedef struct {
+  const OseenBlock *first;
+  int n;
+} OseenRun;
 
-/* The same sum over n blocks, wherever they are. */
-void oseen_sum_blocks(const OseenBlock *const *blocks, int n, const double x[3], double u[3]);
+/* u += sum of J(x, y) f over the points of n runs, with J = 1/r + r r / r^3.  No y may be x. */
+void oseen_sum(const OseenRun *runs, int n, const double x[3], double u[3]);
 
 #endif

@@ -17,7 +17,7 @@ TARGET_CLONES
 void piece_bisect(const Piece *restrict piece, Piece *restrict first, Piece *restrict second) {
   double l01 = squared_edge(piece, 0, 1), l12 = squared_edge(piece, 1, 2), l20 = squared_edge(piece, 2, 0);
   int start = l12 > l01 ? 1 : 0;
-  if (l20 > fmax(l01, l12)) start = 2;
+  if (l20 > (start ? l12 : l01)) start = 2;
   int end = (start + 1) % 3, opposite = (start + 2) % 3;
   const double *a = piece->node[start], *b = piece->node[end], *c = piece->node[opposite];
   const double *m = piece->node[3 + start], *bc = piece->node[3 + end], *ca = piece->node[3 + opposite];
@@ -39,11 +39,12 @@ void piece_bisect(const Piece *restrict piece, Piece *restrict first, Piece *res
   }
 }
 
-void piece_extent(const Piece *piece, double centroid[3], double *gyration2) {
+double piece_reach2(const Piece *piece, double reach, double centroid[3]) {
   for (int c = 0; c < 3; c++) {
     centroid[c] = (piece->node[0][c] + piece->node[1][c] + piece->node[2][c]) / 3;
   }
-  *gyration2 = (squared_edge(piece, 0, 1) + squared_edge(piece, 1, 2) + squared_edge(piece, 2, 0)) / 36;
+  double edges2 = squared_edge(piece, 0, 1) + squared_edge(piece, 1, 2) + squared_edge(piece, 2, 0);
+  return reach * reach * edges2 / 36;
 }
 
 static inline double interpolate(const double N[6][OSEEN_LANES], int lane, const Piece *piece, int c) {

@@ -25,9 +25,9 @@ typedef struct {
 /* Cuts the longest edge at its middle node.  The halves are P2 pieces of the same surface, exactly. */
 void piece_bisect(const Piece *piece, Piece *first, Piece *second);
 
-/* Centroid of the corners, and the mean squared distance from it of the flat triangle's points: (sum of
- * squared edges) / 36. */
-void piece_extent(const Piece *piece, double centroid[3], double *gyration2);
+/* Centroid of the corners, and the square of `reach` times the radius of gyration of the flat triangle of the
+ * corners about it, which is the root of (sum of squared edges) / 36. */
+double piece_reach2(const Piece *piece, double reach, double centroid[3]);
 
 /* Point forces f = weight |a1 x a2| q at the points of the rule, so that sum J f approximates int J q dS:
  * rule->n_blocks blocks. */

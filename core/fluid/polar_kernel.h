@@ -17,11 +17,11 @@ typedef struct {
 /* A triangle with its apex at the node, in the tangent plane there.  Along the opposite edge the distance
  * from the foot of the perpendicular is height * sinh(w), w0 <= w <= w0 + range. */
 typedef struct {
-  double a[2], b[2]; /* parametric offsets of the corners that end the opposite edge */
-  double area;       /* twice the parametric area */
-  double foot;       /* signed distance of corner a from the foot */
-  double height_over_edge, foot_over_edge;
-  double w0, range;
+  double a[2], b[2];                       /* parametric offsets of the corners that end the opposite edge */
+  double area;                             /* twice the parametric area */
+  double height_over_edge, foot_over_edge; /* distance of the edge from the apex, and of the foot from
+                                            * corner a in the direction of a; both over the edge's length */
+  double start, range;
 } ApexTriangle;
 
 /* Appends gauss->n_radial x gauss->n_angular points (n_angular a multiple of OSEEN_LANES), Gauss in w. */

@@ -2,12 +2,17 @@
  *
  *   u(x_p) = 1/(8 pi) int_S J(x_p, y) q(y) dS_y,   J = 1/r + r r / r^3
  *
- * Methods (design figures in docs/benchmarks.md):
- *   direct     12 points on regular elements, polar (parametric angle, 6 x 6) on the elements that hold the
- * node fast       6 points, bisection of near elements, polar in the tangent plane reference  12 points,
- * bisection, polar in the tangent plane with more points The result does not depend on the number of threads,
- * bit for bit, and only on the arguments of this call: lists kept between calls change its cost, never its
- * value. */
+ * Methods (figures in docs/benchmarks.md):
+ *
+ *   direct     the paper's: 12 points on the elements, 6 x 6 points in polar coordinates (angle in the
+ *              parametric plane) on those that hold the node
+ *   fast       6 points on the elements, bisection of near ones, moments of distant groups of elements, and
+ *              around the node polar coordinates in the tangent plane that integrate 1/r exactly: 1e-5 of the
+ *              largest velocity
+ *   reference  12 points, bisection, more points around the node, no moments: 1e-6
+ *
+ * The result does not depend on the number of threads, bit for bit, and only on the arguments of this call.
+ */
 #ifndef CAPSELLA_FLUID_SINGLE_LAYER_H
 #define CAPSELLA_FLUID_SINGLE_LAYER_H
 
@@ -18,7 +23,8 @@
 
 typedef struct SingleLayer SingleLayer;
 
-/* Kernel pairs evaluated so far, by kind; machine-free cost. */
+/* Kernel pairs evaluated so far, by kind; machine-free cost.  far: points of whole elements and nodes that
+ * carry moments; near: points of bisected elements; singular: points of elements that hold the target. */
 typedef struct {
   long long far, near, singular;
 } KernelCount;
