@@ -255,23 +255,21 @@ cleanup:
 /* ---- the machine ---- */
 
 double benchmark_kernel_rate(void) {
-  enum { SOURCES = 7680, TARGETS = 400 };
-  static double y[3][SOURCES], f[3][SOURCES];
-  OseenSources sources;
-  for (int c = 0; c < 3; c++) {
-    for (int i = 0; i < SOURCES; i++) {
-      y[c][i] = sin(i + 1.0 + c);
-      f[c][i] = cos(2.0 * i + c);
+  enum { BLOCKS = 960, SOURCES = BLOCKS * OSEEN_LANES, TARGETS = 400 };
+  static OseenBlock block[BLOCKS];
+  const OseenRun run = {block, BLOCKS};
+  for (int i = 0; i < SOURCES; i++) {
+    for (int c = 0; c < 3; c++) {
+      block[i / OSEEN_LANES].y[c][i % OSEEN_LANES] = sin(i + 1.0 + c);
+      block[i / OSEEN_LANES].f[c][i % OSEEN_LANES] = cos(2.0 * i + c);
     }
-    sources.y[c] = y[c];
-    sources.f[c] = f[c];
   }
   double seconds[REPEATS], u[3] = {0, 0, 0};
   for (int k = 0; k < REPEATS; k++) {
     const double start = timer_wall_seconds();
     for (int i = 0; i < TARGETS; i++) {
       const double x[3] = {2.0 + i, 0.5, 0.25};
-      oseen_sum(&sources, 0, SOURCES, x, u);
+      oseen_sum(&run, 1, x, u);
     }
     seconds[k] = timer_wall_seconds() - start;
   }
