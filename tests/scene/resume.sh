@@ -2,24 +2,26 @@
 # A run that is killed or interrupted goes on from its newest snapshot to the same bits.
 . "$(dirname "$0")/common.sh"
 
-run="$capsella run $root/configs/shear_quick.yaml --quiet --threads 1 --set output.snapshot_every=0.1 --set time.end=0.6"
+# "$@" -o FOLDER is the run of this test.
+set -- "$capsella" run "$root/configs/shear_quick.yaml" --quiet --threads 1 \
+  --set output.snapshot_every=0.1 --set time.end=0.6
 
-$run -o whole
+"$@" -o whole
 grep -q '"status": "end"' whole/summary.json || fail "the uninterrupted run did not end"
 
 # Killed once its third snapshot is there, and again a little later.
-$run -o killed &
+"$@" -o killed &
 process=$!
 while [ ! -f killed/snapshot_000002.vtkhdf ] && kill -0 $process 2>/dev/null; do sleep 0.01; done
 kill -9 $process 2>/dev/null || true
 wait $process 2>/dev/null || true
 [ -f killed/summary.json ] && fail "the run was over before it could be killed"
-$run -o killed --resume &
+"$@" -o killed --resume &
 process=$!
 while [ ! -f killed/snapshot_000004.vtkhdf ] && kill -0 $process 2>/dev/null; do sleep 0.01; done
 kill -9 $process 2>/dev/null || true
 wait $process 2>/dev/null || true
-$run -o killed --resume
+"$@" -o killed --resume
 grep -q 'resumed' killed/log.txt || fail "the run was not resumed"
 same whole/history.csv killed/history.csv "history after two kills"
 without_cost whole/summary.json >a
@@ -27,7 +29,7 @@ without_cost killed/summary.json >b
 same a b "summary after two kills"
 
 # Interrupted: stops by itself with a snapshot, exit code 0, status interrupted.
-$run -o stopped &
+"$@" -o stopped &
 process=$!
 while [ ! -f stopped/snapshot_000001.vtkhdf ] && kill -0 $process 2>/dev/null; do sleep 0.01; done
 kill -INT $process 2>/dev/null || kill -TERM $process
@@ -35,7 +37,7 @@ code=0
 wait $process || code=$?
 [ $code = 0 ] || fail "an interrupted run ends with exit code $code"
 grep -q '"status": "interrupted"' stopped/summary.json || fail "status: $(cat stopped/summary.json)"
-$run -o stopped --resume
+"$@" -o stopped --resume
 same whole/history.csv stopped/history.csv "history after an interrupt"
 without_cost stopped/summary.json >b
 same a b "summary after an interrupt"

@@ -4,14 +4,15 @@
 #include <stdio.h>
 #include <string.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 static char output[16384]; /* of the last call, errors included */
 
 /* Runs `capsella laws ARGUMENTS`; returns the exit code. */
 static int laws(const char *arguments) {
   char command[1024];
-  snprintf(command, sizeof command, "cd '%s' && MLAW_PLUGIN_PATH= ./capsella laws %s 2>&1", BUILD_DIR,
-           arguments);
+  ck_assert_int_eq(chdir(BUILD_DIR), 0); /* its name may hold what a shell would not take */
+  snprintf(command, sizeof command, "MLAW_PLUGIN_PATH= ./capsella laws %s 2>&1", arguments);
   FILE *pipe = popen(command, "r");
   ck_assert_ptr_nonnull(pipe);
   output[fread(output, 1, sizeof output - 1, pipe)] = '\0';
