@@ -47,11 +47,13 @@ static void fill_expansions(SingularRule *rule) {
 }
 
 static void fill_parametric(SingularRule *rule) {
-  static const double metric[3] = {1, 0, 1};
+  /* In each the triangles about the node have a right angle there, between sides of length one: the points do
+   * not depend on how the nodes of the element are numbered. */
+  static const double metric[6][3] = {{1, 0, 1}, {1, 1, 2}, {2, 1, 1}, {4, 2, 2}, {2, 0, 2}, {2, 2, 4}};
   for (int local = 0; local < 6; local++) {
     PolarPoint polar[POLAR_MAX_POINTS];
     OffsetPoints *points = &rule->parametric[local];
-    int n = polar_points(&rule->gauss, local, metric, polar);
+    int n = polar_points(&rule->gauss, local, metric[local], polar);
     rule->n_parametric[local] = n;
     points->n = (n + OSEEN_LANES - 1) / OSEEN_LANES * OSEEN_LANES;
     for (int i = 0; i < points->n; i++) {

@@ -93,7 +93,9 @@ static double start_time(const Simulation *s) {
 /* A multiple of `every` that misses the end of the run by round-off is the end: no crumb of a step before it.
  */
 static double due(const Simulation *s, long long next, double every) {
-  const double t = every > 0 ? start_time(s) + (double)next * every : INFINITY, end = s->scene->time.end;
+  if (!(every > 0)) return INFINITY;
+  /* Decimal multiples are written as such: 0.3, not 3 * 0.1. */
+  const double t = start_time(s) + rint((double)next * every * 1e12) / 1e12, end = s->scene->time.end;
   return fabs(t - end) <= 1e-9 * every ? end : t;
 }
 
