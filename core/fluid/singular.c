@@ -47,13 +47,11 @@ static void fill_expansions(SingularRule *rule) {
 }
 
 static void fill_parametric(SingularRule *rule) {
-  /* In each the triangles about the node have a right angle there, between sides of length one: the points do
-   * not depend on how the nodes of the element are numbered. */
-  static const double metric[6][3] = {{1, 0, 1}, {1, 1, 2}, {2, 1, 1}, {4, 2, 2}, {2, 0, 2}, {2, 2, 4}};
+  static const double metric[3] = {1, 0, 1};
   for (int local = 0; local < 6; local++) {
     PolarPoint polar[POLAR_MAX_POINTS];
     OffsetPoints *points = &rule->parametric[local];
-    int n = polar_points(&rule->gauss, local, metric[local], polar);
+    int n = polar_points(&rule->gauss, local, metric, polar);
     rule->n_parametric[local] = n;
     points->n = (n + OSEEN_LANES - 1) / OSEEN_LANES * OSEEN_LANES;
     for (int i = 0; i < points->n; i++) {
@@ -86,12 +84,6 @@ void singular_free(SingularRule *rule) {
   array_free(rule);
 }
 
-/* exp(asinh(z)) without cancellation. */
-static double exp_asinh(double z) {
-  double root = sqrt(1 + z * z);
-  return z > 0 ? root + z : 1 / (root - z);
-}
-
 /* The triangle (node, from, to) in the tangent plane spanned by a1, a2. */
 static ApexTriangle apex_triangle(const double a1[3], const double a2[3], const double node[2],
                                   const double from[2], const double to[2]) {
@@ -109,8 +101,8 @@ static ApexTriangle apex_triangle(const double a1[3], const double a2[3], const 
   triangle.area = a[0] * b[1] - a[1] * b[0];
   triangle.height_over_edge = height_length / length2;
   triangle.foot_over_edge = foot_length / length2;
-  triangle.start = exp_asinh(foot_length / height_length);
-  triangle.range = log(exp_asinh((foot_length + length2) / height_length) / triangle.start);
+  triangle.w0 = asinh(foot_length / height_length);
+  triangle.range = asinh((foot_length + length2) / height_length) - triangle.w0;
   return triangle;
 }
 
