@@ -84,6 +84,12 @@ void singular_free(SingularRule *rule) {
   array_free(rule);
 }
 
+/* exp(asinh(z)) without cancellation. */
+static double exp_asinh(double z) {
+  double root = sqrt(1 + z * z);
+  return z > 0 ? root + z : 1 / (root - z);
+}
+
 /* The triangle (node, from, to) in the tangent plane spanned by a1, a2. */
 static ApexTriangle apex_triangle(const double a1[3], const double a2[3], const double node[2],
                                   const double from[2], const double to[2]) {
@@ -101,8 +107,8 @@ static ApexTriangle apex_triangle(const double a1[3], const double a2[3], const 
   triangle.area = a[0] * b[1] - a[1] * b[0];
   triangle.height_over_edge = height_length / length2;
   triangle.foot_over_edge = foot_length / length2;
-  triangle.w0 = asinh(foot_length / height_length);
-  triangle.range = asinh((foot_length + length2) / height_length) - triangle.w0;
+  triangle.start = exp_asinh(foot_length / height_length);
+  triangle.range = log(exp_asinh((foot_length + length2) / height_length) / triangle.start);
   return triangle;
 }
 
