@@ -1,5 +1,6 @@
-/* One evaluation: the tree of the surface once, then for each target the way down the tree and the elements
- * around the node.  Threads share the targets; each target is one fixed sequence of sums. */
+/* One evaluation: the tree of the surface, for each target what is far, pieces of the elements that are near
+ * to any target, and for each target what is near.  Threads share elements and targets; each target is one
+ * fixed sequence of sums. */
 #include "fluid/single_layer.h"
 
 #include "base/array.h"
@@ -10,6 +11,7 @@
 
 #include <math.h>
 #include <stdbool.h>
+#include <string.h>
 
 static const double ONE_OVER_8PI = 0.039788735772973836;
 
@@ -29,7 +31,10 @@ struct SingleLayer {
   SingularRule *singular;
   SurfaceTree tree;
   int n_targets, *target;   /* [n_targets] nodes at which u is summed, neighbours near to each other */
+  NearElements *near;       /* [n_targets] elements to be cut */
+  char *wanted;             /* [n_elements] whether any target is near */
   const Symmetry *symmetry; /* u at the other nodes is the image of u at these; NULL: none */
+  int *member;              /* [orbits] the target of each orbit */
   KernelCount count;
 };
 
@@ -59,6 +64,9 @@ Status single_layer_new(SingleLayer **out, const Mesh *mesh, FluidMethod method,
   TRY(singular_new(&layer->singular, &m->polar, error));
   TRY(tree_new(&layer->tree, mesh, &m->tree, error));
   TRY(ARRAY_NEW(&layer->target, mesh->n_nodes, error));
+  TRY(ARRAY_NEW(&layer->member, mesh->n_nodes, error));
+  TRY(ARRAY_NEW(&layer->near, mesh->n_nodes, error));
+  TRY(ARRAY_NEW(&layer->wanted, mesh->n_elements, error));
   layer->n_targets = mesh->n_nodes;
   TRY(order_targets(mesh, layer->target, error));
   *out = layer;
@@ -68,15 +76,31 @@ cleanup:
   return status;
 }
 
+/* Of each orbit the first member in the order of the targets: together they make up one part of the surface,
+ * and few elements are near to any of them. */
 void single_layer_use_symmetry(SingleLayer *layer, const Symmetry *symmetry) {
   const Orbits *nodes = &symmetry->nodes;
   int n = 0;
+  for (int o = 0; o < nodes->n; o++) layer->member[o] = -1;
   for (int i = 0; i < layer->n_targets; i++) {
-    int p = layer->target[i];
-    if (nodes->representative[nodes->orbit[p]] == p) layer->target[n++] = p;
+    int p = layer->target[i], *member = &layer->member[nodes->orbit[p]];
+    if (*member >= 0) continue;
+    *member = p;
+    layer->target[n++] = p;
   }
   layer->n_targets = n;
   layer->symmetry = symmetry;
+}
+
+/* From the targets to all members of their orbits. */
+static void spread(const SingleLayer *layer, double *u) {
+  const Orbits *nodes = &layer->symmetry->nodes;
+  for (int o = 0; o < nodes->n; o++) {
+    int p = layer->member[o], representative = nodes->representative[o];
+    const double *sign = layer->symmetry->operation[nodes->operation[p]].sign;
+    for (int c = 0; c < 3; c++) u[3 * representative + c] = sign[c] * u[3 * p + c];
+  }
+  symmetry_spread(layer->symmetry, u);
 }
 
 void single_layer_free(SingleLayer *layer) {
@@ -84,6 +108,9 @@ void single_layer_free(SingleLayer *layer) {
   singular_free(layer->singular);
   tree_free(&layer->tree);
   array_free(layer->target);
+  array_free(layer->member);
+  array_free(layer->near);
+  array_free(layer->wanted);
   array_free(layer);
 }
 
@@ -101,19 +128,65 @@ static Status check_finite(const char *what, int n, const double *values, Error 
   return STATUS_OK;
 }
 
-/* u(x_p) into u; false when an element around the node has no tangent plane there. */
-static bool evaluate_target(const SingleLayer *layer, const double *x, const double *q, int p, double u[3],
-                            KernelCount *count) {
+/* What is far from target i: its part of u, but for the factor 1/(8 pi). */
+static void sum_far(SingleLayer *layer, const double *x, const double *q, int i, double u[3],
+                    WalkCount *count) {
   Gather gather;
-  WalkCount regular;
-  gather_start(&gather, x + 3 * p);
-  walk_gather(&layer->tree, x, q, p, &gather, &regular);
-  int singular = singular_gather(layer->singular, layer->mesh, x, q, p, &gather);
-  if (singular < 0) return false;
+  NearElements *near = &layer->near[i];
+  gather_start(&gather, x + 3 * layer->target[i]);
+  walk_far(&layer->tree, x, q, layer->target[i], &gather, near, count);
   gather_flush(&gather);
-  for (int c = 0; c < 3; c++) u[c] = ONE_OVER_8PI * gather.u[c];
-  *count = (KernelCount){.far = regular.far, .near = regular.near, .singular = singular};
-  return true;
+  for (int c = 0; c < 3; c++) u[c] = gather.u[c];
+  for (int k = 0; k < near->n; k++) {
+#pragma omp atomic write
+    layer->wanted[near->element[k]] = 1;
+  }
+}
+
+/* Adds the pieces of near elements and the elements around the node.  Returns the number of points around the
+ * node, or -1 when an element has no tangent plane there. */
+static int sum_near(const SingleLayer *layer, const double *x, const double *q, int i, double u[3],
+                    WalkCount *count) {
+  Gather gather;
+  int p = layer->target[i];
+  gather_start(&gather, x + 3 * p);
+  walk_near(&layer->tree, x, q, &layer->near[i], &gather, count);
+  int singular = singular_gather(layer->singular, layer->mesh, x, q, p, &gather);
+  gather_flush(&gather);
+  for (int c = 0; c < 3; c++) u[c] = ONE_OVER_8PI * (u[c] + gather.u[c]);
+  return singular;
+}
+
+/* Sums u at all targets.  Returns the first node around which an element is degenerate, or n_nodes. */
+static int sum_targets(SingleLayer *layer, const double *x, const double *q, double *u) {
+  int n_elements = layer->mesh->n_elements, degenerate = layer->mesh->n_nodes;
+  long long far = 0, near = 0, singular = 0;
+  memset(layer->wanted, 0, (size_t)n_elements);
+#pragma omp parallel reduction(+ : far, near, singular) reduction(min : degenerate)
+  {
+    WalkCount count = {0, 0};
+#pragma omp for schedule(dynamic, 16)
+    for (int i = 0; i < layer->n_targets; i++) sum_far(layer, x, q, i, u + 3 * layer->target[i], &count);
+#pragma omp for schedule(dynamic, 16)
+    for (int e = 0; e < n_elements; e++) {
+      if (layer->wanted[e]) tree_cut(&layer->tree, e, x, q);
+    }
+#pragma omp for schedule(dynamic, 16)
+    for (int i = 0; i < layer->n_targets; i++) {
+      int p = layer->target[i], points = sum_near(layer, x, q, i, u + 3 * p, &count);
+      if (points >= 0) {
+        singular += points;
+      } else if (p < degenerate) {
+        degenerate = p;
+      }
+    }
+    far = count.far;
+    near = count.near;
+  }
+  layer->count.far += far;
+  layer->count.near += near;
+  layer->count.singular += singular;
+  return degenerate;
 }
 
 Status single_layer_evaluate(SingleLayer *layer, const double *x, const double *q, double *u, Error *error) {
@@ -122,24 +195,11 @@ Status single_layer_evaluate(SingleLayer *layer, const double *x, const double *
   TRY(check_finite("position", 3 * n_nodes, x, error));
   TRY(check_finite("load", 3 * n_nodes, q, error));
   tree_update(&layer->tree, x, q);
-  long long far = 0, near = 0, singular = 0;
-  int degenerate = n_nodes; /* the first node where an element is degenerate */
-#pragma omp parallel for schedule(dynamic, 16) reduction(+ : far, near, singular) reduction(min : degenerate)
-  for (int i = 0; i < layer->n_targets; i++) {
-    int p = layer->target[i];
-    KernelCount count = {0, 0, 0};
-    if (!evaluate_target(layer, x, q, p, u + 3 * p, &count) && p < degenerate) degenerate = p;
-    far += count.far;
-    near += count.near;
-    singular += count.singular;
-  }
-  layer->count.far += far;
-  layer->count.near += near;
-  layer->count.singular += singular;
+  int degenerate = sum_targets(layer, x, q, u); /* its values are not used then */
   if (degenerate < n_nodes) {
     return error_set(error, STATUS_REJECT, "single layer: an element at node %d is degenerate", degenerate);
   }
-  if (layer->symmetry) symmetry_spread(layer->symmetry, u);
+  if (layer->symmetry) spread(layer, u);
   TRY(check_finite("velocity", 3 * n_nodes, u, error));
 cleanup:
   return status;

@@ -78,13 +78,20 @@ static Status new_nested_level(SurfaceTree *tree, int l, Error *error) {
   level->points = tree->lined_points;
   TRY(ARRAY_NEW(&nested->clear, n, error));
   TRY(ARRAY_NEW(&nested->far2, n, error));
+  TRY(ARRAY_NEW(&nested->run, n, error));
+  for (int k = 0; k < n; k++) {
+    nested->run[k][0] = (OseenRun){&level->points[(size_t)k * level->n_blocks], level->n_blocks};
+  }
   if (tree->scheme.far == 0) goto cleanup;
   nested->n_sources = l + 1 == tree->element_level ? tree->rule.n : LATTICE_NODES;
   TRY(ARRAY_NEW(&nested->roughness, n, error));
   TRY(ARRAY_NEW(&nested->moments, (size_t)n * LATTICE_BLOCKS, error));
   TRY(ARRAY_NEW(&nested->lattice, n, error));
   TRY(ARRAY_NEW(&nested->weight, (size_t)n * CHILDREN * nested->n_sources, error));
-  for (int k = 0; k < n; k++) TRY(new_lattice(tree, l, k, error));
+  for (int k = 0; k < n; k++) {
+    nested->run[k][1] = (OseenRun){&nested->moments[k * LATTICE_BLOCKS], LATTICE_BLOCKS};
+    TRY(new_lattice(tree, l, k, error));
+  }
 cleanup:
   return status;
 }
@@ -123,6 +130,7 @@ void tree_free(SurfaceTree *tree) {
     if (l >= tree->element_level) array_free(level->points);
     array_free(level->nested.clear);
     array_free(level->nested.far2);
+    array_free(level->nested.run);
     array_free(level->nested.roughness);
     array_free(level->nested.moments);
     array_free(level->nested.lattice);
@@ -135,21 +143,28 @@ static void get_center(const TreeLevel *level, int k, double center[3]) {
   for (int c = 0; c < 3; c++) center[c] = level->center[c][k];
 }
 
-/* An element and its pieces. */
+static void set_piece(SurfaceTree *tree, int l, int k, const Piece *piece) {
+  TreeLevel *level = &tree->level[l];
+  double center[3];
+  level->reach2[k] = piece_reach2(piece, tree->scheme.reach, center);
+  for (int c = 0; c < 3; c++) level->center[c][k] = center[c];
+  piece_points(piece, &tree->rule, &level->points[(size_t)k * level->n_blocks]);
+}
+
 static void update_element(SurfaceTree *tree, int e, const double *x, const double *q) {
+  Piece piece;
+  piece_load(tree->mesh->element[e], x, q, &piece);
+  set_piece(tree, tree->element_level, e, &piece);
+}
+
+void tree_cut(SurfaceTree *tree, int e, const double *x, const double *q) {
   Piece piece[2][1 << TREE_BISECTIONS];
   piece_load(tree->mesh->element[e], x, q, &piece[0][0]);
-  for (int l = tree->element_level; l < tree->n_levels; l++) {
-    TreeLevel *level = &tree->level[l];
-    int depth = l - tree->element_level, n = 1 << depth;
-    Piece *here = piece[depth % 2], *below = piece[(depth + 1) % 2];
-    for (int i = 0; i < n; i++) {
-      int k = e * n + i;
-      double center[3];
-      level->reach2[k] = piece_reach2(&here[i], tree->scheme.reach, center);
-      for (int c = 0; c < 3; c++) level->center[c][k] = center[c];
-      piece_points(&here[i], &tree->rule, &level->points[(size_t)k * level->n_blocks]);
-      if (l + 1 < tree->n_levels) piece_bisect(&here[i], &below[2 * i], &below[2 * i + 1]);
+  for (int depth = 1; tree->element_level + depth < tree->n_levels; depth++) {
+    Piece *above = piece[(depth + 1) % 2], *here = piece[depth % 2];
+    for (int i = 0; i < 1 << depth; i += 2) piece_bisect(&above[i / 2], &here[i], &here[i + 1]);
+    for (int i = 0; i < 1 << depth; i++) {
+      set_piece(tree, tree->element_level + depth, (e << depth) + i, &here[i]);
     }
   }
 }

@@ -26,6 +26,7 @@ typedef struct {
   double *far2;                    /* squared: for targets farther away the moments will do */
   double *roughness;               /* largest distance of the surface from what the lattice interpolates */
   OseenBlock *moments;             /* [n][LATTICE_BLOCKS] */
+  OseenRun (*run)[2];              /* points, moments */
   int (*lattice)[LATTICE_NODES];   /* mesh nodes */
   double (*weight)[LATTICE_LANES]; /* [n][CHILDREN][n_sources] */
   int n_sources;                   /* that each child hands over: points, or nodes of its own lattice */
@@ -55,7 +56,10 @@ typedef struct {
 Status tree_new(SurfaceTree *tree, const Mesh *mesh, const TreeScheme *scheme, Error *error);
 void tree_free(SurfaceTree *tree);
 
-/* At positions x with load q, both [n_nodes][3]. */
+/* Elements and nested triangles at positions x with load q, both [n_nodes][3]. */
 void tree_update(SurfaceTree *tree, const double *x, const double *q);
+
+/* The pieces of element e, which are not used before. */
+void tree_cut(SurfaceTree *tree, int e, const double *x, const double *q);
 
 #endif

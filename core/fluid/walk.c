@@ -7,6 +7,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <string.h>
 
 /* Bisections of an element: pieces 1/2^16 of its length, smaller than any distance that a mesh resolves. */
 enum { MAX_BISECTIONS = 32 };
@@ -25,8 +26,6 @@ typedef struct {
 /* Looks at the children of n <= BATCH nested triangles, themselves nested triangles: gathers those that will
  * do, by moments or points, and lists the others in near[].  Returns how many. */
 static int look_at_nested(Walk *walk, const TreeLevel *level, const int *parent, int n, int *near) {
-  const OseenBlock *const first[2] = {level->points, level->nested.moments};
-  const int n_blocks[2] = {level->n_blocks, LATTICE_BLOCKS};
   double distance2[MAX_LOOKED_AT];
   OseenRun *run = gather_room(walk->gather, MAX_LOOKED_AT);
   int n_runs = 0, n_near = 0, n_far = 0;
@@ -34,8 +33,7 @@ static int look_at_nested(Walk *walk, const TreeLevel *level, const int *parent,
   for (int i = 0; i < CHILDREN * n; i++) {
     int k = CHILDREN * parent[i / CHILDREN] + i % CHILDREN;
     int is_far = distance2[i] > level->nested.far2[k], will_do = distance2[i] > level->reach2[k];
-    run[n_runs].first = first[is_far] + (size_t)k * n_blocks[is_far];
-    run[n_runs].n = n_blocks[is_far];
+    run[n_runs] = level->nested.run[k][is_far];
     near[n_near] = k;
     n_runs += will_do;
     n_near += !will_do;
@@ -107,35 +105,60 @@ static void cut_on(Walk *walk, const Piece *piece, int depth) {
   }
 }
 
-/* Goes on from n nodes of the level above that are near. */
-static void walk_level(Walk *walk, int l, const int *parent, int n) {
+/* Goes on below n near pieces, bisected `depth` times, which have no children in the tree. */
+static void leave_tree(Walk *walk, const int *piece, int n, int depth) {
+  for (int i = 0; i < n; i++) {
+    Piece parent;
+    cut_out(walk, piece[i], depth, &parent);
+    cut_on(walk, &parent, depth);
+  }
+}
+
+/* Goes on from n near nodes of the level above, down to the elements. */
+static void walk_down(Walk *walk, int l, const int *parent, int n, NearElements *listed) {
+  const SurfaceTree *tree = walk->tree;
+  const TreeLevel *level = &tree->level[l];
+  for (int first = 0; first < n; first += BATCH) {
+    int near[MAX_LOOKED_AT], length = n - first < BATCH ? n - first : BATCH;
+    if (l < tree->element_level) {
+      walk_down(walk, l + 1, near, look_at_nested(walk, level, parent + first, length, near), listed);
+      continue;
+    }
+    int n_near = look_at_pieces(walk, level, parent + first, length, near);
+    int fit = n_near < NEAR_LISTED - listed->n ? n_near : NEAR_LISTED - listed->n;
+    memcpy(listed->element + listed->n, near, fit * sizeof *near);
+    listed->n += fit;
+    leave_tree(walk, near + fit, n_near - fit, 0);
+  }
+}
+
+void walk_far(const SurfaceTree *tree, const double *x, const double *q, int p, Gather *gather,
+              NearElements *near, WalkCount *count) {
+  Walk walk = {.tree = tree, .x = x, .q = q, .p = p, .gather = gather, .count = count};
+  int n = tree->level[0].n / CHILDREN; /* as if the level above the top were all near */
+  near->n = 0;
+  for (int first = 0; first < n; first += BATCH) {
+    int parent[BATCH], length = n - first < BATCH ? n - first : BATCH;
+    for (int i = 0; i < length; i++) parent[i] = first + i;
+    walk_down(&walk, 0, parent, length, near);
+  }
+}
+
+/* Goes on from n near elements or pieces of the level above. */
+static void walk_pieces(Walk *walk, int l, const int *parent, int n) {
   const SurfaceTree *tree = walk->tree;
   if (l == tree->n_levels) {
-    int depth = l - 1 - tree->element_level;
-    for (int i = 0; i < n; i++) {
-      Piece piece;
-      cut_out(walk, parent[i], depth, &piece);
-      cut_on(walk, &piece, depth);
-    }
+    leave_tree(walk, parent, n, l - 1 - tree->element_level);
     return;
   }
   for (int first = 0; first < n; first += BATCH) {
     int near[MAX_LOOKED_AT], length = n - first < BATCH ? n - first : BATCH;
-    int n_near = l < tree->element_level
-                     ? look_at_nested(walk, &tree->level[l], parent + first, length, near)
-                     : look_at_pieces(walk, &tree->level[l], parent + first, length, near);
-    if (n_near > 0) walk_level(walk, l + 1, near, n_near);
+    walk_pieces(walk, l + 1, near, look_at_pieces(walk, &tree->level[l], parent + first, length, near));
   }
 }
 
-void walk_gather(const SurfaceTree *tree, const double *x, const double *q, int p, Gather *gather,
-                 WalkCount *count) {
-  Walk walk = {.tree = tree, .x = x, .q = q, .p = p, .gather = gather, .count = count};
-  int n = tree->level[0].n / CHILDREN; /* as if the level above the top were all near */
-  *count = (WalkCount){0, 0};
-  for (int first = 0; first < n; first += BATCH) {
-    int parent[BATCH], length = n - first < BATCH ? n - first : BATCH;
-    for (int i = 0; i < length; i++) parent[i] = first + i;
-    walk_level(&walk, 0, parent, length);
-  }
+void walk_near(const SurfaceTree *tree, const double *x, const double *q, const NearElements *near,
+               Gather *gather, WalkCount *count) {
+  Walk walk = {.tree = tree, .x = x, .q = q, .p = -1, .gather = gather, .count = count};
+  walk_pieces(&walk, tree->element_level + 1, near->element, near->n);
 }
