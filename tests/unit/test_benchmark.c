@@ -1,0 +1,81 @@
+/* What the benchmark counts and how far its results are off: no seconds are asserted, so that a regression of
+ * cost or of accuracy cannot land unseen whatever the machine. */
+#include "study/benchmark.h"
+#include "suite.h"
+#include <math.h>
+
+static EvaluationCost evaluation(const char *method, bool symmetric) {
+  EvaluationCost cost = {.method = method, .subdivisions = 3, .threads = 1, .symmetric = symmetric};
+  Error error;
+  ck_assert_msg(benchmark_evaluation(&cost, &error) == STATUS_OK, "%s", error.text);
+  return cost;
+}
+
+static double pairs(EvaluationCost cost) {
+  return (double)(cost.far + cost.near + cost.singular);
+}
+
+START_TEST(the_direct_method_costs_what_its_rule_says) {
+  /* 12 points on each element that does not hold the node: 2562 * 1280 * 12 less 6 * 1280 * 12. */
+  ck_assert_int_eq(evaluation("direct", false).far, 12LL * 1280 * (2562 - 6));
+}
+END_TEST
+
+START_TEST(symmetry_leaves_a_quarter_of_the_pairs) {
+  const double quarter = pairs(evaluation("fast", true)) / pairs(evaluation("fast", false));
+  /* 657 of 2562 nodes are summed; those on the mirror plane have no images. */
+  ck_assert_double_eq_tol(quarter, 657.0 / 2562, 0.005);
+}
+END_TEST
+
+START_TEST(the_fast_method_sums_a_quarter_of_the_pairs_of_the_direct_one) {
+  ck_assert_double_le(pairs(evaluation("fast", false)), 0.265 * pairs(evaluation("direct", false)));
+}
+END_TEST
+
+START_TEST(the_fast_method_is_accurate_on_a_stretched_capsule) {
+  LayerError layer = {.method = "fast", .subdivisions = 3, .axes = {2, 1, 0.5}};
+  Error error;
+  ck_assert_msg(benchmark_layer(&layer, &error) == STATUS_OK, "%s", error.text);
+  ck_assert_double_le(layer.quadrature,
+                      3e-5); /* what the design asks of it; the P2 surface itself leaves 4.7e-5 */
+  ck_assert_double_le(layer.error, 1e-4);
+}
+END_TEST
+
+/* Three points of the work-precision curve, on 320 elements to t = 2: evaluations and errors against a
+ * converged run. */
+START_TEST(three_points_of_the_work_precision_curve) {
+  static const struct {
+    const char *tolerance;
+    long long evaluations;
+    double D12, d_max;
+  } points[] = {{"time.tolerance=1e-2", 80, 3e-4, 2e-4},
+                {"time.tolerance=1e-3", 100, 1e-4, 1.2e-4},
+                {"time.tolerance=1e-4", 140, 3e-5, 5e-5}};
+  Error error;
+  RunCost best = {
+      .sets = (const char *const[]){"capsule.mesh.subdivisions=2", "time.end=2", "time.tolerance=1e-7", NULL},
+      .threads = 1};
+  ck_assert_msg(benchmark_run(&best, &error) == STATUS_OK, "%s", error.text);
+  for (size_t i = 0; i < sizeof points / sizeof *points; i++) {
+    RunCost run = {
+        .sets = (const char *const[]){"capsule.mesh.subdivisions=2", "time.end=2", points[i].tolerance, NULL},
+        .threads = 1};
+    ck_assert_msg(benchmark_run(&run, &error) == STATUS_OK, "%s", error.text);
+    printf("%s: %lld evaluations, D12 off by %.1e, d_max by %.1e\n", points[i].tolerance, run.evaluations,
+           fabs(run.D12 - best.D12), fabs(run.d_max - best.d_max));
+    ck_assert_int_le(run.evaluations, points[i].evaluations);
+    ck_assert_double_le(fabs(run.D12 - best.D12), points[i].D12);
+    ck_assert_double_le(fabs(run.d_max - best.d_max), points[i].d_max);
+  }
+}
+END_TEST
+
+int main(void) {
+  return suite_run("benchmark", (SuiteTests){the_direct_method_costs_what_its_rule_says,
+                                             symmetry_leaves_a_quarter_of_the_pairs,
+                                             the_fast_method_sums_a_quarter_of_the_pairs_of_the_direct_one,
+                                             the_fast_method_is_accurate_on_a_stretched_capsule,
+                                             three_points_of_the_work_precision_curve, NULL});
+}
