@@ -3,6 +3,7 @@
 #include "study/benchmark.h"
 #include "suite.h"
 #include <math.h>
+#include <stdlib.h>
 
 static EvaluationCost evaluation(const char *method, bool symmetric) {
   EvaluationCost cost = {.method = method, .subdivisions = 3, .threads = 1, .symmetric = symmetric};
@@ -73,6 +74,7 @@ START_TEST(three_points_of_the_work_precision_curve) {
 END_TEST
 
 int main(void) {
+  setenv("MLAW_PLUGIN_PATH", BUILD_DIR "/plugins", 1);
   return suite_run("benchmark", (SuiteTests){the_direct_method_costs_what_its_rule_says,
                                              symmetry_leaves_a_quarter_of_the_pairs,
                                              the_fast_method_sums_a_quarter_of_the_pairs_of_the_direct_one,
