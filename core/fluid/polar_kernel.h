@@ -15,12 +15,12 @@ typedef struct {
 } OffsetPoints;
 
 /* A triangle with its apex at the node, in the tangent plane there.  Along the opposite edge the distance
- * from the foot of the perpendicular is height * sinh(w), w0 <= w <= w0 + range. */
+ * from the foot of the perpendicular is height * sinh(w), with exp(w) from `start` on over a range of w. */
 typedef struct {
-  double a[2], b[2];                       /* parametric offsets of the corners that end the opposite edge */
-  double area;                             /* twice the parametric area */
-  double height_over_edge, foot_over_edge; /* distance of the edge from the apex, and of the foot from
-                                            * corner a in the direction of a; both over the edge's length */
+  double a[2], b[2];       /* parametric offsets of the corners that end the opposite edge */
+  double area;             /* twice the parametric area */
+  double height_over_edge; /* distance of the apex from the edge, over the edge's length */
+  double foot_over_edge;   /* distance of corner a from the foot, the way to b; over the edge's length */
   double start, range;
 } ApexTriangle;
 

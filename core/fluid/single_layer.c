@@ -92,17 +92,6 @@ void single_layer_use_symmetry(SingleLayer *layer, const Symmetry *symmetry) {
   layer->symmetry = symmetry;
 }
 
-/* From the targets to all members of their orbits. */
-static void spread(const SingleLayer *layer, double *u) {
-  const Orbits *nodes = &layer->symmetry->nodes;
-  for (int o = 0; o < nodes->n; o++) {
-    int p = layer->member[o], representative = nodes->representative[o];
-    const double *sign = layer->symmetry->operation[nodes->operation[p]].sign;
-    for (int c = 0; c < 3; c++) u[3 * representative + c] = sign[c] * u[3 * p + c];
-  }
-  symmetry_spread(layer->symmetry, u);
-}
-
 void single_layer_free(SingleLayer *layer) {
   if (!layer) return;
   singular_free(layer->singular);
@@ -187,6 +176,17 @@ static int sum_targets(SingleLayer *layer, const double *x, const double *q, dou
   layer->count.near += near;
   layer->count.singular += singular;
   return degenerate;
+}
+
+/* From the targets to all members of their orbits. */
+static void spread(const SingleLayer *layer, double *u) {
+  const Orbits *nodes = &layer->symmetry->nodes;
+  for (int o = 0; o < nodes->n; o++) {
+    int p = layer->member[o], representative = nodes->representative[o];
+    const double *sign = layer->symmetry->operation[nodes->operation[p]].sign;
+    for (int c = 0; c < 3; c++) u[3 * representative + c] = sign[c] * u[3 * p + c];
+  }
+  symmetry_spread(layer->symmetry, u);
 }
 
 Status single_layer_evaluate(SingleLayer *layer, const double *x, const double *q, double *u, Error *error) {
