@@ -4,7 +4,8 @@
  *     phi = G_s/2 {Psi (I1 - u I2) + (1 - Psi) [I2 + u (I1 - 2 I2)]},   u = 1/(1 + I2)
  *     T1  = G_s/(l1 l2) [l1^2 - 1/(l1 l2)^2] [Psi + (1 - Psi) l2^2]
  *
- * K_s = 3 G_s.  Psi = 1 is `neo_hookean`; the smaller Psi, the more it hardens under area dilation. */
+ * K_s = 3 G_s.  Psi = 1 is `neo_hookean`; the smaller Psi, the harder it is under equal stretches and the
+ * softer when pulled one way. */
 #include <math.h>
 #include <mlaw/mlaw.h>
 
