@@ -2,8 +2,10 @@
 
 #include "base/array.h"
 #include "base/file.h"
+#include <errno.h>
 #include <inttypes.h>
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 /* ---- resolved.yaml ---- */
@@ -75,9 +77,37 @@ void output_close(Output *output) {
   *output = (Output){0};
 }
 
+/* Removes what an earlier run has left in the folder: it would pass for a result of this one. */
+static Status clear_folder(const Output *output, Error *error) {
+  static const char *const names[] = {"summary.json", "series.xdmf", "snapshots.hdf.series", "capsule.svg"};
+  enum { N_NAMES = sizeof names / sizeof *names };
+  Status status = STATUS_OK;
+  int *numbers = NULL;
+  size_t count;
+  Text path = {0};
+  TRY(snapshot_list(output->folder, &numbers, &count, error));
+  for (size_t i = 0; i < N_NAMES + count; i++) {
+    text_free(&path);
+    if (i < N_NAMES)
+      TRY(join(&path, output, names[i], error));
+    else
+      TRY(snapshot_path(&path, output->folder, numbers[i - N_NAMES], error));
+    if (remove(path.data) != 0 && errno != ENOENT) {
+      status = error_set(error, STATUS_IO, "%s: the file of an earlier run cannot be removed: %s", path.data,
+                         strerror(errno));
+      goto cleanup;
+    }
+  }
+cleanup:
+  text_free(&path);
+  array_free(numbers);
+  return status;
+}
+
 Status output_start(Output *output, const Simulation *s, Error *error) {
   Text path = {0};
   Status status = STATUS_OK;
+  TRY(clear_folder(output, error));
   TRY(write_resolved(output, error));
   TRY(join(&path, output, "history.csv", error));
   TRY(history_open(&output->history, path.data, history_kind(s), error));

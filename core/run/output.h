@@ -26,7 +26,7 @@ typedef struct {
 Status output_open(Output *output, const char *folder, const Simulation *simulation, Error *error);
 void output_close(Output *output);
 
-/* A new run: writes resolved.yaml and starts the history. */
+/* A new run: removes what an earlier one has left in the folder, writes resolved.yaml, starts the history. */
 Status output_start(Output *output, const Simulation *simulation, Error *error);
 
 /* Time of the next sample or snapshot; INFINITY when none is asked for. */
