@@ -2,7 +2,9 @@
 #include "app/commands.h"
 #include "base/text.h"
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 static const struct {
   const char *name;
@@ -40,7 +42,17 @@ static int unknown_command(const char *name) {
   return EXIT_INPUT;
 }
 
+/* Threads that wait should sleep: when they spin, as the OpenMP library does by default, a machine with
+ * anything else to do runs two threads slower than one.  The library reads its setting before main, so the
+ * program starts itself anew once; a setting of the user's stands. */
+static void let_threads_sleep(char **argv) {
+  if (getenv("OMP_WAIT_POLICY")) return;
+  if (setenv("OMP_WAIT_POLICY", "passive", 1) == 0)
+    execv("/proc/self/exe", argv); /* returns only on failure */
+}
+
 int main(int argc, char **argv) {
+  let_threads_sleep(argv);
   if (argc < 2 || strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0) {
     print_help();
     return argc < 2 ? EXIT_INPUT : EXIT_DONE;

@@ -57,7 +57,6 @@ static void assembled_free(AssembledMatrix *assembled) {
 
 static void assemble(AssembledMatrix *assembled, const double *element_mass) {
   const int entries = assembled->matrix.row_start[assembled->matrix.n];
-#pragma omp parallel for schedule(static)
   for (int k = 0; k < entries; k++) {
     double sum = 0;
     for (int s = assembled->source_start[k]; s < assembled->source_start[k + 1]; s++)

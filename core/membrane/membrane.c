@@ -10,6 +10,10 @@
 /* An element squeezed below this share of its reference area counts as inverted. */
 static const double SMALLEST_AREA_RATIO = 1e-6;
 
+/* Fewer blocks are done by one thread: below half a millisecond of work, waiting for the others costs more
+ * than they save, and far more on a machine that has other things to do. */
+enum { PARALLEL_BLOCKS = 32 };
+
 /* ---- set-up ---- */
 
 static void fill_basis(Membrane *m) {
@@ -284,7 +288,7 @@ Status membrane_force(Membrane *m, const double *x, double t, double dt, double 
   const int n_elements = m->n_elements, n_blocks = (n_elements + LANES - 1) / LANES;
   Status status = STATUS_OK;
   int failed_block = n_blocks; /* the first failing block speaks, whatever the order of the threads */
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (n_blocks >= PARALLEL_BLOCKS)
   for (int b = 0; b < n_blocks; b++) {
     const int first = b * LANES, left = n_elements - first;
     const BlockTask task = {.first = first, .n = left < LANES ? left : LANES, .t = t, .dt = dt};
