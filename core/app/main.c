@@ -43,10 +43,12 @@ static int unknown_command(const char *name) {
 }
 
 /* Threads that wait should sleep: when they spin, as the OpenMP library does by default, a machine with
- * anything else to do runs two threads slower than one.  The library reads its setting before main, so the
- * program starts itself anew once; a setting of the user's stands. */
+ * anything else to do runs two threads slower than one.  And a BLAS with threads of its own has nothing here
+ * worth keeping them busy for. Both libraries read their settings before main, so the program starts itself
+ * anew once; settings of the user's stand. */
 static void let_threads_sleep(char **argv) {
   if (getenv("OMP_WAIT_POLICY")) return;
+  setenv("OPENBLAS_NUM_THREADS", "1", 0);
   if (setenv("OMP_WAIT_POLICY", "passive", 1) == 0)
     execv("/proc/self/exe", argv); /* returns only on failure */
 }
