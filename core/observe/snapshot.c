@@ -265,10 +265,11 @@ static Status check_whole(const char *folder, int number, Text *path, Error *err
 Status snapshot_find_newest(const char *folder, Text *path, int *number, Log *log, Error *error) {
   Status status;
   int *numbers = NULL;
-  size_t count;
+  size_t count, total;
   Text found = {0};
   *number = -1;
   TRY(snapshot_list(folder, &numbers, &count, error));
+  total = count;
   while (count > 0 && *number < 0) {
     text_free(&found);
     status = check_whole(folder, numbers[--count], &found, error);
@@ -279,7 +280,14 @@ Status snapshot_find_newest(const char *folder, Text *path, int *number, Log *lo
     else
       goto cleanup;
   }
-  status = *number < 0 ? STATUS_OK : text_append(path, error, "%s", found.data);
+  if (*number >= 0)
+    status = text_append(path, error, "%s", found.data);
+  else if (total > 0)
+    status =
+        error_prefix(error,
+                     "%s: none of its snapshots is whole (a run without --resume starts anew and removes "
+                     "them); the oldest: ",
+                     folder);
 cleanup:
   text_free(&found);
   array_free(numbers);

@@ -57,8 +57,9 @@ Status snapshot_read_scene(const char *path, Text *scene, double *t, Error *erro
 /* Numbers of the snapshots in a folder by their names, rising, whole or not; freed with array_free. */
 Status snapshot_list(const char *folder, int **numbers, size_t *count, Error *error);
 
-/* The newest whole snapshot of a folder: its path appended to `path` and its number; number is -1 when there
- * is none.  A newer one that is damaged is skipped with a warning in the log (may be NULL). */
+/* The newest whole snapshot of a folder: its path appended to `path` and its number; number is -1 when the
+ * folder has no snapshot.  A newer one that is damaged is skipped with a warning in the log (may be NULL);
+ * STATUS_IO when all are. */
 Status snapshot_find_newest(const char *folder, Text *path, int *number, Log *log, Error *error);
 
 #endif

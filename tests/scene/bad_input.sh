@@ -57,13 +57,17 @@ code=0
 "$capsella" run "$good" -o taken --quiet 2>message || code=$?
 [ "$code" = 1 ] && grep -q taken message || fail "a folder that cannot be made: $code $(cat message)"
 
-# The only snapshot is cut off: said, and the run starts anew.
+# No snapshot is whole: a resume is refused, and nothing is touched.
 "$capsella" run "$good" -o cut --quiet --set time.end=0.1 --set output.snapshot_every=0
 for snapshot in cut/snapshot_*.vtkhdf; do
   head -c 5000 "$snapshot" >part && mv part "$snapshot"
 done
-"$capsella" run "$good" -o cut --quiet --set time.end=0.1 --set output.snapshot_every=0 --resume
-grep -q 'snapshot_000000.vtkhdf' cut/log.txt || fail "the damaged snapshot is not named in the log: $(cat cut/log.txt)"
+code=0
+"$capsella" run "$good" -o cut --quiet --resume 2>message || code=$?
+[ "$code" = 1 ] || fail "a resume from a cut-off snapshot: exit code $code"
+grep -q 'none of its snapshots is whole.*without --resume' message || fail "cut-off snapshot: $(cat message)"
+grep -q 'snapshot_000000.vtkhdf' message || fail "the damaged snapshot is not named: $(cat message)"
+[ -f cut/snapshot_000000.vtkhdf ] || fail "the damaged snapshot is gone"
 
 # Unknown option, subcommand, and a --set that is no KEY=VALUE.
 refused 2 'usage:' "$good" --fast
