@@ -204,26 +204,26 @@ typedef struct {
   regex_t only;
   ConformanceReport *report;
   size_t capacity;
-} Session;
+} CheckRun;
 
-static bool is_wanted(const Session *session, const ConformanceGroup *group, const ConformanceTest *test) {
+static bool is_wanted(const CheckRun *run, const ConformanceGroup *group, const ConformanceTest *test) {
   char name[128];
-  if (!session->options->only) return true;
+  if (!run->options->only) return true;
   snprintf(name, sizeof name, "%s/%s", group->name, test->name);
-  return regexec(&session->only, name, 0, NULL, 0) == 0;
+  return regexec(&run->only, name, 0, NULL, 0) == 0;
 }
 
-static Status add_result(Session *session, const ConformanceGroup *group, const ConformanceTest *test,
+static Status add_result(CheckRun *run, const ConformanceGroup *group, const ConformanceTest *test,
                          const Answer *answer, Error *error) {
-  ConformanceReport *report = session->report;
-  if (report->n == session->capacity) {
-    const size_t capacity = 2 * session->capacity + 64;
+  ConformanceReport *report = run->report;
+  if (report->n == run->capacity) {
+    const size_t capacity = 2 * run->capacity + 64;
     ConformanceResult *grown = array_allocate(capacity, sizeof *grown, "conformance results", error);
     if (!grown) return error->code;
     if (report->n) memcpy(grown, report->result, report->n * sizeof *grown);
     array_free(report->result);
     report->result = grown;
-    session->capacity = capacity;
+    run->capacity = capacity;
   }
   ConformanceResult *result = &report->result[report->n++];
   *result = (ConformanceResult){group->name, test->name, test->about, "", answer->verdict.outcome, ""};
@@ -233,13 +233,13 @@ static Status add_result(Session *session, const ConformanceGroup *group, const 
   return STATUS_OK;
 }
 
-static Status run_test(Session *session, const ConformanceGroup *group, const ConformanceTest *test,
+static Status run_test(CheckRun *run, const ConformanceGroup *group, const ConformanceTest *test,
                        uint32_t law, bool *out_of_time, Error *error) {
   Status status;
   Answer answer;
-  TRY(run_task(session->file, (Task){test, law}, session->options->time_limit, &answer, error));
+  TRY(run_task(run->file, (Task){test, law}, run->options->time_limit, &answer, error));
   const bool inapplicable = answer.verdict.outcome == CONFORMANCE_SKIPPED && !answer.verdict.text[0];
-  if (!inapplicable) TRY(add_result(session, group, test, &answer, error));
+  if (!inapplicable) TRY(add_result(run, group, test, &answer, error));
   *out_of_time = answer.verdict.outcome == CONFORMANCE_TIMED_OUT;
 cleanup:
   return status;
@@ -247,42 +247,42 @@ cleanup:
 
 /* All tests of the plugin as a whole, or of one law.  After one that ran out of time the rest is left out:
  * most would do the same. */
-static Status run_tests(Session *session, bool of_law, uint32_t law, Error *error) {
+static Status run_tests(CheckRun *run, bool of_law, uint32_t law, Error *error) {
   Status status = STATUS_OK;
   bool out_of_time = false;
   for (int g = 0; g < N_GROUPS; g++) {
     for (size_t k = 0; k < groups[g]->n && !out_of_time; k++) {
       const ConformanceTest *test = &groups[g]->test[k];
-      if (!test->run || is_of_law(test) != of_law || !is_wanted(session, groups[g], test)) continue;
-      TRY(run_test(session, groups[g], test, law, &out_of_time, error));
+      if (!test->run || is_of_law(test) != of_law || !is_wanted(run, groups[g], test)) continue;
+      TRY(run_test(run, groups[g], test, law, &out_of_time, error));
     }
   }
 cleanup:
   return status;
 }
 
-static Status compile_only(Session *session, Error *error) {
-  const char *only = session->options->only;
+static Status compile_only(CheckRun *run, Error *error) {
+  const char *only = run->options->only;
   if (!only) return STATUS_OK;
-  if (regcomp(&session->only, only, REG_EXTENDED | REG_NOSUB) != 0) {
-    session->options = NULL;
+  if (regcomp(&run->only, only, REG_EXTENDED | REG_NOSUB) != 0) {
+    run->options = NULL;
     return error_set(error, STATUS_INPUT, "expected a regular expression, found `%s`", only);
   }
   for (int g = 0; g < N_GROUPS; g++) {
     for (size_t k = 0; k < groups[g]->n; k++) {
-      if (is_wanted(session, groups[g], &groups[g]->test[k])) return STATUS_OK;
+      if (is_wanted(run, groups[g], &groups[g]->test[k])) return STATUS_OK;
     }
   }
   return error_set(error, STATUS_INPUT, "no test is named like `%s`", only);
 }
 
 /* The plugin must open before anything else can be asked: always done, whatever `only` says. */
-static Status survey(Session *session, uint32_t *n_laws, Error *error) {
+static Status survey(CheckRun *run, uint32_t *n_laws, Error *error) {
   const ConformanceTest *opens = &conformance_load.test[0];
   Status status;
   Answer answer;
-  TRY(run_task(session->file, (Task){opens, 0}, session->options->time_limit, &answer, error));
-  TRY(add_result(session, &conformance_load, opens, &answer, error));
+  TRY(run_task(run->file, (Task){opens, 0}, run->options->time_limit, &answer, error));
+  TRY(add_result(run, &conformance_load, opens, &answer, error));
   *n_laws = answer.n_laws;
 cleanup:
   return status;
@@ -291,18 +291,18 @@ cleanup:
 Status conformance_run(const ConformanceOptions *options, ConformanceReport *report, Error *error) {
   Status status;
   uint32_t n_laws = 0;
-  Session session = {.options = options, .report = report};
+  CheckRun run = {.options = options, .report = report};
   *report = (ConformanceReport){0};
-  TRY(compile_only(&session, error));
-  session.file = file_exists(options->file) ? realpath(options->file, NULL) : NULL;
-  if (!session.file) TRY(error_set(error, STATUS_INPUT, "%s: not a file that can be read", options->file));
-  TRY(survey(&session, &n_laws, error));
+  TRY(compile_only(&run, error));
+  run.file = file_exists(options->file) ? realpath(options->file, NULL) : NULL;
+  if (!run.file) TRY(error_set(error, STATUS_INPUT, "%s: not a file that can be read", options->file));
+  TRY(survey(&run, &n_laws, error));
   if (report->n_bad) goto cleanup;
-  TRY(run_tests(&session, false, 0, error));
-  for (uint32_t k = 0; k < n_laws; k++) TRY(run_tests(&session, true, k, error));
+  TRY(run_tests(&run, false, 0, error));
+  for (uint32_t k = 0; k < n_laws; k++) TRY(run_tests(&run, true, k, error));
 cleanup:
-  if (session.options && options->only) regfree(&session.only);
-  free(session.file);
+  if (run.options && options->only) regfree(&run.only);
+  free(run.file);
   if (status != STATUS_OK) conformance_free(report);
   return status;
 }

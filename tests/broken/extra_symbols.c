@@ -1,8 +1,8 @@
-/* Lets everybody see one of its helpers. */
+/* Lets everybody see one of its inner functions. */
 #include "fixture.h"
 
-MLAW_EXPORT double helper_of_everybody(double x);
-double helper_of_everybody(double x) {
+MLAW_EXPORT double inner_function(double x);
+double inner_function(double x) {
   return 2.0 * x;
 }
 ONE_PARAMETER("G_s");
