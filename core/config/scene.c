@@ -142,6 +142,14 @@ static Status check_path(const YamlNode *root, const Scene *scene, Error *error)
                      scene->time.end, last);
 }
 
+/* Rates are taken between rows of the history. */
+static Status check_steady(const YamlNode *root, const Scene *scene, Error *error) {
+  const YamlNode *mapping, *node = find(root, "stop.steady", &mapping);
+  if (!node || scene->stop.steady == 0 || scene->output.history_every > 0) return STATUS_OK;
+  return place_error(&node->place, error,
+                     "expected `output.history_every` above 0, between whose rows rates are taken, found 0");
+}
+
 /* What no row can see by itself. */
 static Status complete(const YamlNode *root, Scene *scene, Error *error) {
   Status status;
@@ -149,6 +157,7 @@ static Status complete(const YamlNode *root, Scene *scene, Error *error) {
   TRY(check_axis(root, scene->mesh.rotation_axis, error));
   TRY(check_gradient(root, (const double(*)[3])scene->flow.gradient, error));
   TRY(check_path(root, scene, error));
+  TRY(check_steady(root, scene, error));
 cleanup:
   return status;
 }

@@ -145,7 +145,8 @@ const SchemaRow SCHEMA[] = {
      .fallback = "stop",
      .meaning = "What to do when the damage reaches 1 somewhere."},
     {.key = "stop.steady", .type = TYPE_NUMBER, AT(stop.steady), AT_LEAST(0), .fallback = "0",
-     .meaning = "Stop as steady when the rates of D12 and of the largest damage stay below this; 0: never."},
+     .meaning = "Stop as steady when the rates of D12 and of the largest damage, taken between rows of the "
+                "history, stay below this; 0: never."},
 
     {.key = "accuracy", .type = TYPE_CHOICE, AT(accuracy), .choices = SCHEMA_ACCURACY, .fallback = "standard",
      .meaning = "Sets the defaults of the method and the tolerance together (table below)."},

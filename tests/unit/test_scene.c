@@ -316,6 +316,8 @@ START_TEST(values_out_of_range_are_refused) {
       {MEMBRANE SHEAR "time: {end: 1, step: 0}\n", "scene.yaml:8:22:", "a number above 0"},
       {MEMBRANE SHEAR "time: {end: 1, tolerance: 0.2}\n", "scene.yaml:8:27:", "a number from 1e-12 to 0.1"},
       {WITH("output: {history_every: -0.1}"), "scene.yaml:9:25:", "a number of at least 0"},
+      {WITH("stop: {steady: 0.1}\noutput: {history_every: 0}"),
+       "scene.yaml:9:16:", "`output.history_every` above 0"},
   };
   EXPECT_ALL_REFUSED(table);
 }
