@@ -64,7 +64,7 @@ static int parse(int argc, char **argv, RunOptions *options, const char **sets) 
     } else if (strcmp(argument, "--quiet") == 0) {
       options->quiet = true;
     } else if (strcmp(argument, "-o") == 0) {
-      if (!value) return refuse("-o needs a folder", NULL);
+      if (!value || !*value) return refuse("-o needs a folder", NULL);
       options->folder = argv[++i];
     } else if (strcmp(argument, "--set") == 0) {
       if (!value) return refuse("--set needs KEY=VALUE", NULL);

@@ -1,6 +1,7 @@
 /* The program: picks the subcommand. */
 #include "app/commands.h"
 #include "base/text.h"
+#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -53,8 +54,7 @@ static void let_threads_sleep(char **argv) {
     execv("/proc/self/exe", argv); /* returns only on failure */
 }
 
-int main(int argc, char **argv) {
-  let_threads_sleep(argv);
+static int run_command(int argc, char **argv) {
   if (argc < 2 || strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0) {
     print_help();
     return argc < 2 ? EXIT_INPUT : EXIT_DONE;
@@ -66,4 +66,13 @@ int main(int argc, char **argv) {
   for (size_t i = 0; i < N_COMMANDS; i++)
     if (strcmp(argv[1], COMMANDS[i].name) == 0) return COMMANDS[i].run(argc - 1, argv + 1);
   return unknown_command(argv[1]);
+}
+
+/* What was printed and did not arrive, on a full disk or a closed pipe, is a failure. */
+int main(int argc, char **argv) {
+  let_threads_sleep(argv);
+  const int code = run_command(argc, argv);
+  if (fflush(stdout) == 0 && !ferror(stdout)) return code;
+  fprintf(stderr, "capsella: the standard output cannot be written: %s\n", strerror(errno));
+  return code == EXIT_DONE ? EXIT_FAILED : code;
 }
