@@ -77,26 +77,35 @@ void output_close(Output *output) {
   *output = (Output){0};
 }
 
+static Status remove_old(const char *path, Error *error) {
+  if (remove(path) == 0 || errno == ENOENT) return STATUS_OK;
+  return error_set(error, STATUS_IO, "%s: the file of an earlier run cannot be removed: %s", path,
+                   strerror(errno));
+}
+
+static Status remove_named(const Output *output, const char *name, Error *error) {
+  Text path = {0};
+  Status status = STATUS_OK;
+  TRY(join(&path, output, name, error));
+  TRY(remove_old(path.data, error));
+cleanup:
+  text_free(&path);
+  return status;
+}
+
 /* Removes what an earlier run has left in the folder: it would pass for a result of this one. */
 static Status clear_folder(const Output *output, Error *error) {
   static const char *const names[] = {"summary.json", "series.xdmf", "snapshots.hdf.series", "capsule.svg"};
-  enum { N_NAMES = sizeof names / sizeof *names };
   Status status = STATUS_OK;
   int *numbers = NULL;
   size_t count;
   Text path = {0};
   TRY(snapshot_list(output->folder, &numbers, &count, error));
-  for (size_t i = 0; i < N_NAMES + count; i++) {
+  for (size_t i = 0; i < sizeof names / sizeof *names; i++) TRY(remove_named(output, names[i], error));
+  for (size_t i = 0; i < count; i++) {
     text_free(&path);
-    if (i < N_NAMES)
-      TRY(join(&path, output, names[i], error));
-    else
-      TRY(snapshot_path(&path, output->folder, numbers[i - N_NAMES], error));
-    if (remove(path.data) != 0 && errno != ENOENT) {
-      status = error_set(error, STATUS_IO, "%s: the file of an earlier run cannot be removed: %s", path.data,
-                         strerror(errno));
-      goto cleanup;
-    }
+    TRY(snapshot_path(&path, output->folder, numbers[i], error));
+    TRY(remove_old(path.data, error));
   }
 cleanup:
   text_free(&path);
@@ -135,6 +144,21 @@ double output_next_sample(const Output *output, const Simulation *s) {
 
 double output_next_snapshot(const Output *output, const Simulation *s) {
   return due(s, output->next_snapshot, s->scene->output.snapshot_every);
+}
+
+/* Number of the first time that is due after t; `next` is a guess. */
+static long long first_after(const Simulation *s, double t, long long next, double every) {
+  if (!(every > 0)) return next;
+  while (next > 0 && due(s, next - 1, every) > t) next--;
+  while (due(s, next, every) <= t) next++;
+  return next;
+}
+
+/* The scene may have other intervals, or a later end, than the one that the snapshot was written with. */
+static void count_anew(Output *output, const Simulation *s) {
+  const double t = s->motion->t;
+  output->next_sample = first_after(s, t, output->next_sample, s->scene->output.history_every);
+  output->next_snapshot = first_after(s, t, output->next_snapshot, s->scene->output.snapshot_every);
 }
 
 Status output_row(Output *output, const HistoryRow *row, Error *error) {
@@ -265,6 +289,8 @@ Status output_resume(Output *output, Simulation *s, Record *record, Log *log, bo
   TRY(output_restore(output, s, record, log, &number, error));
   *found = number >= 0;
   if (!*found) goto cleanup;
+  count_anew(output, s);
+  TRY(remove_named(output, "summary.json", error)); /* of how the earlier part ended */
   TRY(write_resolved(output, error));
   TRY(join(&history, output, "history.csv", error));
   TRY(history_resume(&output->history, history.data, history_kind(s), output->history.bytes, error));

@@ -131,6 +131,12 @@ static void finish(Run *run, Outcome outcome) {
   run->done = true;
 }
 
+/* A run that is resumed may have nothing left to do. */
+static void finish_what_is_over(Run *run) {
+  if (run->simulation.motion->t >= run->scene.time.end) finish(run, OUTCOME_END);
+  if (run->scene.stop.rupture == RUPTURE_STOP && !isnan(run->record.data.t_l)) finish(run, OUTCOME_RUPTURED);
+}
+
 /* Ends the proposed step at the instant of rupture. */
 static Status stop_at_rupture(Run *run, Error *error) {
   Status status = STATUS_OK;
@@ -227,7 +233,10 @@ static void conclude_failed(Run *run, const Error *cause) {
   run->record.probed_t = NAN;
   run->record.t1 = run->simulation.motion->t;
   log_note(&run->log, "failed: %s", cause->text);
-  if (conclude(run, &ignored) != STATUS_OK) log_note(&run->log, "while concluding: %s", ignored.text);
+  if (conclude(run, &ignored) == STATUS_OK) return;
+  log_note(&run->log, "while concluding: %s", ignored.text);
+  /* A disk too full for a snapshot may have room for the summary. */
+  if (write_summary(run, &ignored) != STATUS_OK) log_note(&run->log, "while concluding: %s", ignored.text);
 }
 
 static Status open_folder(Run *run, Text *folder, Error *error) {
@@ -260,15 +269,10 @@ Status run_scene(const RunOptions *options, Outcome *outcome, Text *folder, Erro
   TRY(start(&run, error));
   progress_start(&run.progress, options->progress, options->quiet, run.simulation.motion->t,
                  run.scene.time.end);
-  if (run.simulation.motion->t >= run.scene.time.end) finish(&run, OUTCOME_END);
-  while (!run.done) {
-    status = advance(&run, error);
-    if (status != STATUS_OK) {
-      conclude_failed(&run, error);
-      goto cleanup;
-    }
-  }
-  TRY(conclude(&run, error));
+  finish_what_is_over(&run);
+  while (status == STATUS_OK && !run.done) status = advance(&run, error);
+  if (status == STATUS_OK) status = conclude(&run, error);
+  if (status != STATUS_OK) conclude_failed(&run, error);
 cleanup:
   if (status != STATUS_OK) log_note(&run.log, "%s", error->text);
   *outcome = run.outcome;

@@ -51,6 +51,15 @@ refused 2 '^scene.yaml:[0-9]+:[0-9]+: .*Y_d.*did you mean `Y_D`' scene.yaml
 edited 's/^  end: 2/  end: 2\n  step: 0.1/'
 refused 2 'step.*0.1.*stability limit' scene.yaml
 
+refused 2 'stop.steady.*expected `output.history_every` above 0' "$good" --set stop.steady=0.01 --set output.history_every=0
+
+# What is printed and does not arrive is a failure.
+if [ -c /dev/full ]; then
+  code=0
+  "$capsella" manual >/dev/full 2>message || code=$?
+  [ "$code" = 1 ] && grep -q 'standard output' message || fail "a full standard output: $code $(cat message)"
+fi
+
 # A folder that cannot be made: a file is in the way.
 touch taken
 code=0

@@ -41,3 +41,25 @@ grep -q '"status": "interrupted"' stopped/summary.json || fail "status: $(cat st
 same whole/history.csv stopped/history.csv "history after an interrupt"
 without_cost stopped/summary.json >b
 same a b "summary after an interrupt"
+
+# A run that has ended goes on to a later end, as if it had been the end from the start.
+"$@" -o longer --set time.end=0.4
+"$@" -o longer --resume
+same whole/history.csv longer/history.csv "history after a later end"
+without_cost longer/summary.json >b
+same a b "summary after a later end"
+
+# With other intervals the rows and snapshots that follow are those of the new intervals.
+"$@" -o intervals --set time.end=0.3
+"$@" -o intervals --resume --set output.history_every=0.05 --set output.snapshot_every=0.04
+times=$(sed 1d intervals/history.csv | cut -d, -f1 | tr '\n' ' ')
+[ "$times" = "0 0.1 0.2 0.3 0.35 0.4 0.45 0.5 0.55 0.6 " ] || fail "rows after other intervals: $times"
+
+# A run that has ended by rupture stays there.
+set -- "$capsella" run "$root/configs/shear_quick.yaml" --quiet -o ruptured --set capsule.mesh.subdivisions=1 \
+  --set flow.capillary_number=2 --set time.end=4
+"$@"
+cp ruptured/history.csv once.csv
+"$@" --resume
+[ "$(number ruptured/summary.json status)" = ruptured ] || fail "status: $(cat ruptured/summary.json)"
+same ruptured/history.csv once.csv "history of a ruptured run that is resumed"
