@@ -2,6 +2,7 @@
 #include "app/commands.h"
 #include "base/text.h"
 #include <errno.h>
+#include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -43,6 +44,15 @@ static int unknown_command(const char *name) {
   return EXIT_INPUT;
 }
 
+/* A standard stream that the caller has closed leaves its number to the next file that is opened, and
+ * messages would end up in results. */
+static void fill_standard_streams(void) {
+  int file;
+  do file = open("/dev/null", O_RDWR);
+  while (file >= 0 && file <= STDERR_FILENO);
+  if (file >= 0) close(file);
+}
+
 /* Threads that wait should sleep: when they spin, as the OpenMP library does by default, a machine with
  * anything else to do runs two threads slower than one.  And a BLAS with threads of its own has nothing here
  * worth keeping them busy for. Both libraries read their settings before main, so the program starts itself
@@ -70,6 +80,7 @@ static int run_command(int argc, char **argv) {
 
 /* What was printed and did not arrive, on a full disk or a closed pipe, is a failure. */
 int main(int argc, char **argv) {
+  fill_standard_streams();
   let_threads_sleep(argv);
   const int code = run_command(argc, argv);
   if (fflush(stdout) == 0 && !ferror(stdout)) return code;
