@@ -112,7 +112,7 @@ Status snapshot_write(const char *path, const Snapshot *snapshot, Error *error) 
   seal_make(image + SEAL_SIZE, length - SEAL_SIZE, image);
   TRY(file_write(path, image, length, error));
 cleanup:
-  if (status != STATUS_OK) error_prefix(error, "%s: ", path);
+  if (status != STATUS_OK && !image) error_prefix(error, "%s: ", path); /* writing names the file by itself */
   array_free(image);
   hdf_free(hdf);
   return status;
