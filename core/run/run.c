@@ -227,12 +227,11 @@ cleanup:
 }
 
 /* The trial state of a step that failed is gone: go back to the accepted one, and conclude there. */
-static void conclude_failed(Run *run, const Error *cause) {
+static void conclude_failed(Run *run) {
   Error ignored;
   run->outcome = OUTCOME_FAILED;
   run->record.probed_t = NAN;
   run->record.t1 = run->simulation.motion->t;
-  log_note(&run->log, "failed: %s", cause->text);
   if (conclude(run, &ignored) == STATUS_OK) return;
   log_note(&run->log, "while concluding: %s", ignored.text);
   /* A disk too full for a snapshot may have room for the summary. */
@@ -272,7 +271,7 @@ Status run_scene(const RunOptions *options, Outcome *outcome, Text *folder, Erro
   finish_what_is_over(&run);
   while (status == STATUS_OK && !run.done) status = advance(&run, error);
   if (status == STATUS_OK) status = conclude(&run, error);
-  if (status != STATUS_OK) conclude_failed(&run, error);
+  if (status != STATUS_OK) conclude_failed(&run);
 cleanup:
   if (status != STATUS_OK) log_note(&run.log, "%s", error->text);
   *outcome = run.outcome;

@@ -2,7 +2,8 @@
  *
  *     phi = G_s/2 (I1 - 1 + 1/(1 + I2))
  *
- * written as I1 - I2/(1 + I2), which keeps its digits near rest.  K_s = 3 G_s.  It softens under large area dilation. */
+ * written as I1 - I2/(1 + I2), which keeps its digits near rest.  K_s = 3 G_s.  It softens under large area
+ * dilation. */
 #include <math.h>
 #include <mlaw/mlaw.h>
 
