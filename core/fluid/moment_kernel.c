@@ -1,9 +1,9 @@
 /* Lanes are nodes of the lattice. */
 #include "fluid/moment_kernel.h"
 
-#include "fluid/clones.h"
+#include "base/vector_clones.h"
 
-TARGET_CLONES
+VECTOR_CLONES
 double moment_add(const double weight[][LATTICE_LANES], int n, const OseenBlock *restrict from,
                   OseenBlock *restrict moments) {
   double largest = 0;

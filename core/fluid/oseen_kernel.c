@@ -3,11 +3,11 @@
  * no more than long ones. */
 #include "fluid/oseen_kernel.h"
 
-#include "fluid/clones.h"
+#include "base/vector_clones.h"
 
 #include <math.h>
 
-TARGET_CLONES
+VECTOR_CLONES
 void oseen_sum(const OseenRun *runs, int n, const double x[3], double u[3]) {
   const double x0 = x[0], x1 = x[1], x2 = x[2];
   double sum[3][OSEEN_LANES] = {{0}};

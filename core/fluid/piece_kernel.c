@@ -2,7 +2,7 @@
  * written out so that each loop over lanes vectorises as a whole. */
 #include "fluid/piece_kernel.h"
 
-#include "fluid/clones.h"
+#include "base/vector_clones.h"
 
 #include <math.h>
 
@@ -13,7 +13,7 @@ static inline double squared_edge(const Piece *piece, int i, int j) {
 }
 
 /* Children: (start, middle, opposite) and (middle, end, opposite) of the longest edge. */
-TARGET_CLONES
+VECTOR_CLONES
 void piece_bisect(const Piece *restrict piece, Piece *restrict first, Piece *restrict second) {
   double l01 = squared_edge(piece, 0, 1), l12 = squared_edge(piece, 1, 2), l20 = squared_edge(piece, 2, 0);
   int start = l12 > l01 ? 1 : 0;
@@ -52,7 +52,7 @@ static inline double interpolate(const double N[6][OSEEN_LANES], int lane, const
          N[3][lane] * piece->node[3][c] + N[4][lane] * piece->node[4][c] + N[5][lane] * piece->node[5][c];
 }
 
-TARGET_CLONES
+VECTOR_CLONES
 void piece_points(const Piece *restrict piece, const PieceRule *restrict rule, OseenBlock *restrict out) {
   for (int block = 0; block < rule->n_blocks; block++) {
     const double(*N)[OSEEN_LANES] = rule->block[block].N;

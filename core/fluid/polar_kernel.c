@@ -5,7 +5,7 @@
  * What is left for the Gauss points is the smooth rest. */
 #include "fluid/polar_kernel.h"
 
-#include "fluid/clones.h"
+#include "base/vector_clones.h"
 
 #include <math.h>
 
@@ -25,7 +25,7 @@ static inline double exponential(double z) {
   return sum * sum;
 }
 
-TARGET_CLONES
+VECTOR_CLONES
 void apex_points(const ApexTriangle *triangle, const PolarGauss *gauss, OffsetPoints *points) {
   double s[POLAR_MAX_ANGULAR], t[POLAR_MAX_ANGULAR], weight[POLAR_MAX_ANGULAR];
   const int n = gauss->n_angular;
@@ -53,7 +53,7 @@ void apex_points(const ApexTriangle *triangle, const PolarGauss *gauss, OffsetPo
   }
 }
 
-TARGET_CLONES
+VECTOR_CLONES
 void expansion_set(const double matrix[6][6], const Piece *restrict element, Expansion *restrict expansion) {
   for (int m = 0; m < 6; m++) {
 #pragma omp simd
@@ -77,7 +77,7 @@ static inline double slope_t(const double e[6][PIECE_COMPONENTS], int c, double 
   return e[2][c] + s * e[4][c] + 2 * t * e[5][c];
 }
 
-TARGET_CLONES
+VECTOR_CLONES
 void expansion_points(const Expansion *restrict expansion, const OffsetPoints *restrict points,
                       OseenBlock *restrict out) {
   const double(*e)[PIECE_COMPONENTS] = expansion->coefficient;

@@ -1,7 +1,7 @@
 /* Lanes are the children of one parent, which stand together. */
 #include "fluid/tree_kernel.h"
 
-#include "fluid/clones.h"
+#include "base/vector_clones.h"
 
 static inline void distances(double *const center[3], const int fan, const int *restrict parent, int n,
                              const double target[3], double *restrict distance2) {
@@ -17,7 +17,7 @@ static inline void distances(double *const center[3], const int fan, const int *
   }
 }
 
-TARGET_CLONES
+VECTOR_CLONES
 void tree_distances(double *const center[3], int fan, const int *parent, int n, const double target[3],
                     double *distance2) {
   if (fan == 4) {
