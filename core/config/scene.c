@@ -117,6 +117,13 @@ static void fill_gradient(FlowKind kind, double gradient[3][3]) {
   }
 }
 
+/* The name becomes that of a folder of results. */
+static Status check_name(const YamlNode *root, const char *name, Error *error) {
+  const YamlNode *mapping, *node = find(root, "name", &mapping);
+  if (!node || (name[0] != '.' && !strchr(name, '/'))) return STATUS_OK;
+  return place_error(&node->place, error, "expected a name without '/' or a leading '.', found `%s`", name);
+}
+
 static Status check_axis(const YamlNode *root, const double axis[3], Error *error) {
   const YamlNode *mapping, *node = find(root, "capsule.mesh.rotation.axis", &mapping);
   if (!node || axis[0] != 0 || axis[1] != 0 || axis[2] != 0) return STATUS_OK;
@@ -154,6 +161,7 @@ static Status check_steady(const YamlNode *root, const Scene *scene, Error *erro
 static Status complete(const YamlNode *root, Scene *scene, Error *error) {
   Status status;
   fill_gradient(scene->flow.kind, scene->flow.gradient);
+  TRY(check_name(root, scene->name, error));
   TRY(check_axis(root, scene->mesh.rotation_axis, error));
   TRY(check_gradient(root, (const double(*)[3])scene->flow.gradient, error));
   TRY(check_path(root, scene, error));

@@ -61,7 +61,7 @@ const SchemaRow SCHEMA[] = {
     {.key = "schema", .type = TYPE_INTEGER, AT(schema), WITHIN(1, 1),
      .meaning = "Version of this format."},
     {.key = "name", .type = TYPE_TEXT, AT(name), .fallback = "unnamed",
-     .meaning = "Name of the scene, for reports."},
+     .meaning = "Name of the scene, for reports and for the folder of its results."},
 
     {.key = "capsule.shape", .type = TYPE_CHOICE, AT(shape), .choices = SHAPES, .fallback = "sphere",
      .meaning = "Shape at rest, of radius 1 (all lengths are in units of the radius)."},
@@ -164,7 +164,7 @@ const SchemaRow SCHEMA[] = {
 
     {.key = "output.history_every", .type = TYPE_NUMBER, AT(output.history_every), AT_LEAST(0),
      .fallback = "0.05",
-     .meaning = "Time between rows of history.csv; 0: only the last state."},
+     .meaning = "Time between rows of history.csv; 0: only the last state. The steps of an inflation are no longer."},
     {.key = "output.snapshot_every", .type = TYPE_NUMBER, AT(output.snapshot_every), AT_LEAST(0),
      .fallback = "0.5",
      .meaning = "Time between snapshots; 0: only the last state."},

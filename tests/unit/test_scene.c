@@ -277,6 +277,8 @@ START_TEST(wrong_types_are_refused) {
       {WITH("capsule: {mesh: {subdivisions: }}"), "scene.yaml:9:32:", "found nothing"},
       {WITH("name: [a]"), "scene.yaml:9:7:", "expected text for `name`, found a list"},
       {WITH("name: \"\""), "scene.yaml:9:7:", "found nothing"},
+      {WITH("name: ../elsewhere"),
+       "scene.yaml:9:7:", "a name without '/' or a leading '.', found `../elsewhere`"},
       {WITH("stop: {steady: soon}"),
        "scene.yaml:9:16:", "a number of at least 0 for `stop.steady`, found `soon`"},
       {WITH("stop: {steady: .nan}"), "scene.yaml:9:16:", "found `.nan`"},
