@@ -70,7 +70,7 @@ void stepper_shorten(Stepper *stepper, double t);
 /* Takes the end of the proposed step as the accepted state. */
 void stepper_accept(Stepper *stepper);
 
-/* Largest stable step at the spectral radius last estimated; INFINITY when the integrator adapts its stages.
+/* Largest step that is stable, with all the stages the integrator has, at the spectral radius last estimated.
  */
 double stepper_stability_limit(const Stepper *stepper);
 

@@ -2,9 +2,8 @@
  * trial damage.
  *
  * Integration points: six per computed element (one of each orbit of the symmetry); that of orbit e and rule
- * point g has index g * n_orbits + e in every
- * [n_points] array.  Trial and accepted damage are apart: membrane_evaluate writes the trial, membrane_commit
- * accepts it. */
+ * point g has index g * n_orbits + e in every [n_points] array.  Trial and accepted damage are apart:
+ * membrane_force writes the trial, membrane_commit accepts it. */
 #ifndef CAPSELLA_MEMBRANE_MEMBRANE_H
 #define CAPSELLA_MEMBRANE_MEMBRANE_H
 

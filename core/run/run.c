@@ -22,6 +22,7 @@ typedef struct {
   Record record;
   Output output;
   Progress progress;
+  ProgressState shown;
   double started; /* wall clock */
   Outcome outcome;
   bool done;
@@ -33,14 +34,13 @@ static double wall_seconds(const Run *run) {
   return run->record.data.wall_seconds + timer_wall_seconds() - run->started;
 }
 
-static ProgressState progress_state(const Run *run, const HistoryRow *row) {
-  const Motion *motion = run->simulation.motion;
-  return (ProgressState){.t = row->t,
-                         .steps = motion->steps(motion),
-                         .step = row->step,
-                         .D12 = row->D12,
-                         .d_max = row->d_max,
-                         .wall_seconds = timer_wall_seconds() - run->started};
+/* Where the run stands now; D12 and d_max are those of the last row. */
+static const ProgressState *progress_state(Run *run, double t, double step) {
+  run->shown.t = t;
+  run->shown.step = step;
+  run->shown.steps = run->simulation.motion->steps(run->simulation.motion);
+  run->shown.wall_seconds = timer_wall_seconds() - run->started;
+  return &run->shown;
 }
 
 /* Rates of D12 and d_max between samples; steady when they have been small for long enough. */
@@ -68,8 +68,9 @@ static Status sample(Run *run, double t, Error *error) {
   TRY(record_row(&run->record, &row, &shape, error));
   TRY(output_row(&run->output, &row, error));
   watch_steady(run, &row);
-  const ProgressState state = progress_state(run, &row);
-  progress_sample(&run->progress, &state);
+  run->shown.D12 = row.D12;
+  run->shown.d_max = row.d_max;
+  progress_sample(&run->progress, progress_state(run, row.t, row.step));
 cleanup:
   return status;
 }
@@ -82,6 +83,15 @@ static Status take_samples(Run *run, double t1, Error *error) {
     TRY(sample(run, t, error));
     run->output.next_sample++;
   }
+cleanup:
+  return status;
+}
+
+/* The load at time t of the proposed step, or at the accepted time: it last belonged to another state. */
+static Status renew_load(Run *run, double t, Error *error) {
+  Status status = STATUS_OK;
+  TRY(record_probe(&run->record, t, error));
+  TRY(membrane_load(run->simulation.membrane, run->record.R, run->simulation.motion->q, error));
 cleanup:
   return status;
 }
@@ -115,6 +125,7 @@ static Status start(Run *run, Error *error) {
              stepper_stability_limit(&run->simulation.stepper));
   TRY(output_start(&run->output, &run->simulation, error));
   TRY(record_begin(&run->record, false, error));
+  TRY(renew_load(run, run->simulation.motion->t, error)); /* after the estimate of the spectral radius */
   TRY(take_samples(run, run->simulation.motion->t, error));
   if (isfinite(output_next_snapshot(&run->output, &run->simulation))) {
     run->output.next_snapshot++;
@@ -142,10 +153,9 @@ static Status stop_at_rupture(Run *run, Error *error) {
   Status status = STATUS_OK;
   Simulation *s = &run->simulation;
   const double t_l = run->record.data.t_l;
-  TRY(record_probe(&run->record, t_l, error));
+  TRY(renew_load(run, t_l, error));
   s->motion->shorten(s->motion, t_l);
   run->record.t1 = t_l;
-  TRY(membrane_load(s->membrane, run->record.R, s->motion->q, error));
   finish(run, OUTCOME_RUPTURED);
 cleanup:
   return status;
@@ -169,6 +179,7 @@ static Status advance(Run *run, Error *error) {
   TRY(record_advance(&run->record, error));
   s->motion->accept(s->motion);
   membrane_commit(s->membrane);
+  progress_step(&run->progress, progress_state(run, s->motion->t, s->motion->last_step));
 
   if (s->motion->t >= t_limit && t_limit < run->scene.time.end) {
     run->output.next_snapshot++;
@@ -232,7 +243,7 @@ static void conclude_failed(Run *run) {
   run->outcome = OUTCOME_FAILED;
   run->record.probed_t = NAN;
   run->record.t1 = run->simulation.motion->t;
-  if (conclude(run, &ignored) == STATUS_OK) return;
+  if (renew_load(run, run->record.t1, &ignored) == STATUS_OK && conclude(run, &ignored) == STATUS_OK) return;
   log_note(&run->log, "while concluding: %s", ignored.text);
   /* A disk too full for a snapshot may have room for the summary. */
   if (write_summary(run, &ignored) != STATUS_OK) log_note(&run->log, "while concluding: %s", ignored.text);
