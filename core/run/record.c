@@ -64,15 +64,22 @@ static double dissipated(const Record *record) {
   return record->data.dissipated + membrane_dissipation(s->membrane) / s->material.shear_modulus;
 }
 
-static double energy_scale(const Record *record) {
-  return fmax(record->data.energy_scale, fmax(fabs(work_done(record)), stored(record) + dissipated(record)));
+/* At the probed time, in units of G_s a^2. */
+typedef struct {
+  double stored, dissipated, work;
+  double scale; /* the largest of them so far */
+} Energies;
+
+static Energies energies(const Record *record) {
+  Energies e = {.stored = stored(record), .dissipated = dissipated(record), .work = work_done(record)};
+  e.scale = fmax(record->data.energy_scale, fmax(fabs(e.work), e.stored + e.dissipated));
+  return e;
 }
 
 /* What the energy balance leaves over, stored + dissipated - work, relative to the largest energy so far (a
  * capsule that comes back to rest holds none). */
-static double energy_error(const Record *record) {
-  const double scale = energy_scale(record);
-  return scale > 0 ? (stored(record) + dissipated(record) - work_done(record)) / scale : 0;
+static double energy_error(Energies e) {
+  return e.scale > 0 ? (e.stored + e.dissipated - e.work) / e.scale : 0;
 }
 
 /* ---- probing ---- */
@@ -196,6 +203,7 @@ Status record_row(Record *record, HistoryRow *row, Shape *shape, Error *error) {
     T1_max = fmax(T1_max, record->T1[k]);
     T2_min = fmin(T2_min, record->T2[k]);
   }
+  const Energies energy = energies(record);
   *row = (HistoryRow){
       .t = record->probed_t,
       .D12 = shape->D12,
@@ -209,9 +217,9 @@ Status record_row(Record *record, HistoryRow *row, Shape *shape, Error *error) {
       .Y_max = largest_release_rate(record),
       .T1_max = T1_max / G,
       .T2_min = T2_min / G,
-      .elastic_energy = stored(record),
-      .dissipated_energy = dissipated(record),
-      .energy_error = energy_error(record),
+      .elastic_energy = energy.stored,
+      .dissipated_energy = energy.dissipated,
+      .energy_error = energy_error(energy),
       .step = record->probed_t > s->motion->t ? record->t1 - s->motion->t : s->motion->last_step,
       .evaluations = s->motion->evaluations(s->motion),
   };
@@ -286,16 +294,17 @@ Status record_advance(Record *record, Error *error) {
   RecordData *data = &record->data;
   const Simulation *s = record->simulation;
   TRY(record_probe(record, record->t1, error));
-  const double h = record->t1 - s->motion->t, work = work_done(record);
-  data->energy_scale = energy_scale(record);
-  data->energy_error_max = fmax(data->energy_error_max, fabs(energy_error(record)));
+  const double h = record->t1 - s->motion->t;
+  const Energies energy = energies(record);
+  data->energy_scale = energy.scale;
+  data->energy_error_max = fmax(data->energy_error_max, fabs(energy_error(energy)));
   data->volume_error_max =
       fmax(data->volume_error_max,
            fabs(surface_flux(&s->mesh, &s->symmetry, record->x, record->x) / (3 * s->volume0) - 1));
   data->Y_max = largest_release_rate(record);
-  data->dissipated = dissipated(record);
+  data->dissipated = energy.dissipated;
   data->power_slope = (power(record, record->R) - record->power0) / h;
-  data->work = work;
+  data->work = energy.work;
   keep_force(record);
 cleanup:
   return status;
