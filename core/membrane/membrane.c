@@ -258,11 +258,8 @@ static Status call_damage_law(const Membrane *m, BlockTask task, int g, Error *e
   return status;
 }
 
-static Status evaluate_block(Membrane *m, BlockTask task, const double *x, Error *error) {
-  Status status = STATUS_OK;
-  const int first = task.first;
-  ElementBlock block;
-  const ReferenceMetric metric = {
+static ReferenceMetric metric_from(const Membrane *m, int first) {
+  return (ReferenceMetric){
       .A11 = m->A11 + first,
       .A12 = m->A12 + first,
       .A22 = m->A22 + first,
@@ -270,6 +267,18 @@ static Status evaluate_block(Membrane *m, BlockTask task, const double *x, Error
       .dS0 = m->dS0 + first,
       .ld = m->n_elements,
   };
+}
+
+static int block_size(const Membrane *m, int first) {
+  const int left = m->n_elements - first;
+  return left < LANES ? left : LANES;
+}
+
+static Status evaluate_block(Membrane *m, BlockTask task, const double *x, Error *error) {
+  Status status = STATUS_OK;
+  const int first = task.first;
+  ElementBlock block;
+  const ReferenceMetric metric = metric_from(m, first);
   gather_nodes(m, task, x, &block);
   element_kinematics(&m->basis, metric, task.n, &block, m->I1 + first, m->I2 + first, m->J + first);
   TRY(check_elements(m, task, &block, error));
@@ -279,19 +288,17 @@ static Status evaluate_block(Membrane *m, BlockTask task, const double *x, Error
   }
   element_force(&m->basis, metric, task.n, &block, m->dphi + first, m->dphi + m->n_points + first,
                 m->has_damage ? m->trial.d + first : NULL, m->element_force + first, m->n_elements);
-  element_mass(&m->basis, metric, task.n, m->J + first, m->element_mass + first, m->n_elements);
 cleanup:
   return status;
 }
 
 Status membrane_force(Membrane *m, const double *x, double t, double dt, double *R, Error *error) {
-  const int n_elements = m->n_elements, n_blocks = (n_elements + LANES - 1) / LANES;
+  const int n_blocks = (m->n_elements + LANES - 1) / LANES;
   Status status = STATUS_OK;
   int failed_block = n_blocks; /* the first failing block speaks, whatever the order of the threads */
 #pragma omp parallel for schedule(static) if (n_blocks >= PARALLEL_BLOCKS)
   for (int b = 0; b < n_blocks; b++) {
-    const int first = b * LANES, left = n_elements - first;
-    const BlockTask task = {.first = first, .n = left < LANES ? left : LANES, .t = t, .dt = dt};
+    const BlockTask task = {.first = b * LANES, .n = block_size(m, b * LANES), .t = t, .dt = dt};
     Error block_error;
     const Status block_status = evaluate_block(m, task, x, &block_error);
     if (block_status != STATUS_OK) {
@@ -310,6 +317,9 @@ Status membrane_force(Membrane *m, const double *x, double t, double dt, double 
 }
 
 Status membrane_load(Membrane *m, const double *R, double *q, Error *error) {
+  for (int first = 0; first < m->n_elements; first += LANES)
+    element_mass(&m->basis, metric_from(m, first), block_size(m, first), m->J + first,
+                 m->element_mass + first, m->n_elements);
   mass_update(&m->mass, m->element_mass);
   return mass_solve(&m->mass, R, q, error);
 }
