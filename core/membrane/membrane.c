@@ -310,8 +310,6 @@ Status membrane_force(Membrane *m, const double *x, double t, double dt, double 
       }
     }
   }
-  m->count.evaluations++;
-  m->count.law_points += m->n_points;
   if (status == STATUS_OK) assembly_sum(&m->assembly, m->element_force, R);
   return status;
 }

@@ -75,7 +75,7 @@ double membrane_dissipation(const Membrane *membrane);
 void membrane_point_position(const Membrane *membrane, int k, const double *nodes, double position[3]);
 
 typedef struct {
-  long long evaluations, mass_iterations, law_points, damage_points;
+  long long mass_iterations; /* of the conjugate gradients, so far */
 } MembraneCount;
 MembraneCount membrane_count(const Membrane *membrane);
 

@@ -23,9 +23,7 @@ MembranePoints membrane_points_view(const Membrane *m) {
 }
 
 MembraneCount membrane_count(const Membrane *m) {
-  MembraneCount count = m->count;
-  count.mass_iterations = m->mass.iterations;
-  return count;
+  return (MembraneCount){.mass_iterations = m->mass.iterations};
 }
 
 void membrane_principal_tensions(const Membrane *m, double *T1, double *T2) {

@@ -34,7 +34,6 @@ struct Membrane {
   MembraneHistory accepted, trial;
   Assembly assembly;
   MassSystem mass;
-  MembraneCount count;
 };
 
 #endif
