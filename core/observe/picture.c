@@ -5,9 +5,9 @@
 #include "base/array.h"
 #include "base/vec3.h"
 #include "observe/projection.h"
+#include "observe/svg.h"
 #include <math.h>
 #include <stdbool.h>
-#include <stdio.h>
 
 const PictureView picture_shear_views[2] = {
     {{0, -1, 0}, {0, 0, 1}, "along the vorticity axis"},
@@ -111,34 +111,6 @@ static void frame_of(const Picture *picture, Frame *frame) {
 
 /* --- drawing --- */
 
-static Status print_escaped(Text *svg, const char *string, Error *error) {
-  Status status = STATUS_OK;
-  for (const char *s = string; *s && status == STATUS_OK; s++) switch (*s) {
-    case '&':
-      status = text_append(svg, error, "&amp;");
-      break;
-    case '<':
-      status = text_append(svg, error, "&lt;");
-      break;
-    case '>':
-      status = text_append(svg, error, "&gt;");
-      break;
-    default:
-      status = text_append_bytes(svg, error, s, 1);
-    }
-  return status;
-}
-
-static Status print_label(Text *svg, double x, double y, const char *anchor, const char *label,
-                          Error *error) {
-  Status status;
-  TRY(text_append(svg, error, "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\">", x, y, anchor));
-  TRY(print_escaped(svg, label, error));
-  TRY(text_append(svg, error, "</text>\n"));
-cleanup:
-  return status;
-}
-
 static Status print_piece(Text *svg, const Piece *piece, double scale, unsigned color, Error *error) {
   long p[3][2];
   for (int k = 0; k < 3; k++) {
@@ -184,7 +156,7 @@ static Status print_axis(const PictureAxis *axis, const Projection *projection, 
                     is_toward ? "<circle cx=\"%g\" cy=\"%g\" r=\"1.5\" fill=\"#333\"/>\n"
                               : "<path transform=\"translate(%g %g)\" d=\"M-4 -4L4 4M-4 4L4 -4\"/>\n",
                     x0, y0));
-    return print_label(svg, x0 - RING, y0 + RING + 14, "middle", axis->label, error);
+    return svg_label(svg, x0 - RING, y0 + RING + 14, "middle", axis->label, error);
   }
   const double x1 = x0 + LENGTH * right, y1 = y0 + LENGTH * down;
   const double along[2] = {right / length, down / length};
@@ -192,8 +164,8 @@ static Status print_axis(const PictureAxis *axis, const Projection *projection, 
   TRY(text_append(svg, error, "<path fill=\"#333\" d=\"M%.1f %.1fL%.1f %.1fL%.1f %.1fz\"/>\n",
                   x1 + 7 * along[0], y1 + 7 * along[1], x1 - 3 * along[1], y1 + 3 * along[0],
                   x1 + 3 * along[1], y1 - 3 * along[0]));
-  TRY(print_label(svg, x1 + 12 * along[0], y1 + 12 * along[1] + 4, right > 0.5 ? "start" : "middle",
-                  axis->label, error));
+  TRY(svg_label(svg, x1 + 12 * along[0], y1 + 12 * along[1] + 4, right > 0.5 ? "start" : "middle",
+                axis->label, error));
 cleanup:
   return status;
 }
@@ -204,7 +176,7 @@ static Status print_view(const Picture *picture, const Frame *frame, const Pictu
   Projection projection;
   TRY(projection_make(&projection, view->toward, view->up, error));
   TRY(text_append(svg, error, "<g transform=\"translate(%zu %d)\">\n", index * VIEW_SIZE, TITLE_HEIGHT));
-  if (view->title) TRY(print_label(svg, 0.5 * VIEW_SIZE, -8, "middle", view->title, error));
+  if (view->title) TRY(svg_label(svg, 0.5 * VIEW_SIZE, -8, "middle", view->title, error));
   TRY(print_capsule(picture, frame, &projection, svg, error));
   TRY(text_append(svg, error, "<g stroke=\"#333\">\n"));
   for (size_t k = 0; k < picture->n_axes; k++) TRY(print_axis(&picture->axes[k], &projection, svg, error));
@@ -214,13 +186,6 @@ cleanup:
 }
 
 /* --- the colour bar --- */
-
-/* About five steps of 1, 2 or 5 times a power of ten. */
-static double tick_step(double range) {
-  const double power = pow(10, floor(log10(range / 5)));
-  const double ratio = range / 5 / power;
-  return power * (ratio < 1.5 ? 1 : ratio < 3.5 ? 2 : ratio < 7.5 ? 5 : 10);
-}
 
 static Status print_gradient(Text *svg, Error *error) {
   Status status;
@@ -236,19 +201,17 @@ cleanup:
 static Status print_bar(const Picture *picture, const Frame *frame, Text *svg, Error *error) {
   enum { LEFT = 15, WIDTH = 16, TOP = 60, LENGTH = VIEW_SIZE - 80 };
   Status status;
-  const double range = frame->maximum - frame->minimum, step = tick_step(range);
+  const double range = frame->maximum - frame->minimum, step = svg_tick_step(range, 5);
   TRY(print_gradient(svg, error));
   TRY(text_append(svg, error, "<g transform=\"translate(%zu 0)\" stroke=\"#333\">\n",
                   picture->n_views * VIEW_SIZE + LEFT));
   TRY(text_append(svg, error, "<rect y=\"%d\" width=\"%d\" height=\"%d\" fill=\"url(#map)\"/>\n", TOP, WIDTH,
                   LENGTH));
-  if (picture->label) TRY(print_label(svg, 0, TOP - 14, "start", picture->label, error));
+  if (picture->label) TRY(svg_label(svg, 0, TOP - 14, "start", picture->label, error));
   for (double k = ceil(frame->minimum / step); k * step <= frame->maximum; k++) {
     const double y = TOP + LENGTH * (frame->maximum - k * step) / range;
-    char number[32];
-    snprintf(number, sizeof number, "%g", k * step);
     TRY(text_append(svg, error, "<path d=\"M%d %.1fh5\"/>\n", WIDTH, y));
-    TRY(print_label(svg, WIDTH + 9, y + 4, "start", number, error));
+    TRY(svg_number(svg, WIDTH + 9, y + 4, "start", k * step, error));
   }
   TRY(text_append(svg, error, "</g>\n"));
 cleanup:
