@@ -3,6 +3,7 @@
 #include "base/text.h"
 #include <errno.h>
 #include <fcntl.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,12 +13,13 @@ static const struct {
   const char *name;
   int (*run)(int argc, char **argv);
   const char *about;
+  bool serial; /* computes nothing in threads, so it need not set them up */
 } COMMANDS[] = {
-    {"run", command_run, "run a scene: deformation, damage and rupture of a capsule"},
-    {"laws", command_laws, "list the laws of membrane and damage, show one"},
-    {"report", command_report, "make a picture of the last state in a folder of results"},
-    {"bench", command_bench, "measure run time against error on this machine"},
-    {"manual", command_manual, "print every key of a scene file (Markdown)"},
+    {"run", command_run, "run a scene: deformation, damage and rupture of a capsule", false},
+    {"laws", command_laws, "list the laws of membrane and damage, show one, start a new one", true},
+    {"report", command_report, "make a picture of the last state in a folder of results", true},
+    {"bench", command_bench, "measure run time against error on this machine", false},
+    {"manual", command_manual, "print every key of a scene file (Markdown)", true},
 };
 enum { N_COMMANDS = sizeof COMMANDS / sizeof *COMMANDS };
 
@@ -56,7 +58,7 @@ static void fill_standard_streams(void) {
 /* Threads that wait should sleep: when they spin, as the OpenMP library does by default, a machine with
  * anything else to do runs two threads slower than one.  And a BLAS with threads of its own has nothing here
  * worth keeping them busy for. Both libraries read their settings before main, so the program starts itself
- * anew once; settings of the user's stand. */
+ * anew once, for commands that compute; settings of the user's stand. */
 static void let_threads_sleep(char **argv) {
   if (getenv("OMP_WAIT_POLICY")) return;
   setenv("OPENBLAS_NUM_THREADS", "1", 0);
@@ -73,15 +75,17 @@ static int run_command(int argc, char **argv) {
     puts("capsella " CAPSELLA_VERSION);
     return EXIT_DONE;
   }
-  for (size_t i = 0; i < N_COMMANDS; i++)
-    if (strcmp(argv[1], COMMANDS[i].name) == 0) return COMMANDS[i].run(argc - 1, argv + 1);
+  for (size_t i = 0; i < N_COMMANDS; i++) {
+    if (strcmp(argv[1], COMMANDS[i].name) != 0) continue;
+    if (!COMMANDS[i].serial) let_threads_sleep(argv);
+    return COMMANDS[i].run(argc - 1, argv + 1);
+  }
   return unknown_command(argv[1]);
 }
 
 /* What was printed and did not arrive, on a full disk or a closed pipe, is a failure. */
 int main(int argc, char **argv) {
   fill_standard_streams();
-  let_threads_sleep(argv);
   const int code = run_command(argc, argv);
   if (fflush(stdout) == 0 && !ferror(stdout)) return code;
   fprintf(stderr, "capsella: the standard output cannot be written: %s\n", strerror(errno));
