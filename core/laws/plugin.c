@@ -12,13 +12,31 @@ const char *law_kind_name(LawKind kind) {
 }
 
 LawDescription law_describe_energy(const mlaw_energy *law) {
-  return (LawDescription){law->id,       law->title,      law->source, law->params,   law->vars,
-                          law->n_params, law->param_size, law->n_vars, law->var_size, law->check};
+  return (LawDescription){.id = law->id,
+                          .title = law->title,
+                          .source = law->source,
+                          .about = MLAW_HAS(mlaw_energy, law, about) ? law->about : NULL,
+                          .params = law->params,
+                          .vars = law->vars,
+                          .n_params = law->n_params,
+                          .param_size = law->param_size,
+                          .n_vars = law->n_vars,
+                          .var_size = law->var_size,
+                          .check = law->check};
 }
 
 LawDescription law_describe_damage(const mlaw_damage *law) {
-  return (LawDescription){law->id,       law->title,      law->source, law->params,   law->vars,
-                          law->n_params, law->param_size, law->n_vars, law->var_size, law->check};
+  return (LawDescription){.id = law->id,
+                          .title = law->title,
+                          .source = law->source,
+                          .about = MLAW_HAS(mlaw_damage, law, about) ? law->about : NULL,
+                          .params = law->params,
+                          .vars = law->vars,
+                          .n_params = law->n_params,
+                          .param_size = law->param_size,
+                          .n_vars = law->n_vars,
+                          .var_size = law->var_size,
+                          .check = law->check};
 }
 
 const mlaw_param *law_param(const LawDescription *law, uint32_t k) {

@@ -19,6 +19,7 @@ Status plugin_open(const char *file, const mlaw_plugin **plugin, Error *error);
 /* What both kinds of law have in common. */
 typedef struct {
   const char *id, *title, *source;
+  const char *about;        /* NULL: the law says nothing, or was built before ABI 1.1 */
   const mlaw_param *params; /* walk with law_param */
   const mlaw_var *vars;     /* walk with law_var */
   uint32_t n_params, param_size, n_vars, var_size;

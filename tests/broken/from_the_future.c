@@ -10,6 +10,10 @@ typedef struct {
   int (*later)(void);
 } LongerEnergy;
 typedef struct {
+  mlaw_damage now;
+  double later[3];
+} LongerDamage;
+typedef struct {
   mlaw_plugin now;
   const char *later;
 } LongerPlugin;
@@ -35,7 +39,19 @@ static const LongerEnergy law = {{.size = sizeof(LongerEnergy),
                                   .param_size = sizeof(LongerParam),
                                   .eval = sound_eval},
                                  NULL};
+static const LongerDamage damage = {{.size = sizeof(LongerDamage),
+                                     .id = "from_the_future",
+                                     .title = "Fixture",
+                                     .source = "none",
+                                     .params = &params[0].now,
+                                     .n_params = 2,
+                                     .param_size = sizeof(LongerParam),
+                                     .needs = 1u << MLAW_Y,
+                                     .threshold = sound_threshold,
+                                     .evolution = sound_evolution},
+                                    {1.0, 2.0, 3.0}};
 static const mlaw_energy *const laws[] = {&law.now};
+static const mlaw_damage *const damage_laws[] = {&damage.now};
 static const LongerPlugin plugin = {{.size = sizeof(LongerPlugin),
                                      .abi_minor = 3,
                                      .host_minor_min = 0,
@@ -44,6 +60,8 @@ static const LongerPlugin plugin = {{.size = sizeof(LongerPlugin),
                                      .license = "MIT",
                                      .author = "nobody",
                                      .n_energy = 1,
-                                     .energy = laws},
+                                     .n_damage = 1,
+                                     .energy = laws,
+                                     .damage = damage_laws},
                                     "later"};
 ENTRY(&plugin.now)

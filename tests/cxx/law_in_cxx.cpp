@@ -34,7 +34,8 @@ const mlaw_energy law = {sizeof(mlaw_energy),
                          0,
                          0,
                          nullptr,
-                         eval};
+                         eval,
+                         nullptr};
 const mlaw_energy *const laws[] = {&law};
 const mlaw_plugin plugin = {
     sizeof(mlaw_plugin), MLAW_ABI_MINOR, 0, "cxx.sheet", "1.0", "MIT", "nobody", 1, 0, laws, nullptr};

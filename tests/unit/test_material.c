@@ -359,6 +359,29 @@ START_TEST(a_law_built_with_longer_structures_runs) {
 }
 END_TEST
 
+/* Y = 1.5 with Y_D = 1 gives zeta = 1/2. */
+START_TEST(laws_built_with_shorter_or_longer_structures_damage_as_they_say) {
+  static const char *const requests[] = {BUILD_DIR "/tests/abi/older.so", BROKEN "/from_the_future.so"};
+  for (int k = 0; k < 2; k++) {
+    Error error;
+    Material material = make_material(scene_law(requests[k], NULL, 0), scene_law(requests[k], NULL, 0));
+    const double Y = 1.5, Ymax0 = 0.0, d0 = 0.0;
+    double Ymax1, d1;
+    const DamageBatch batch = {.n = 1,
+                               .ld = 1,
+                               .dt = 1.0,
+                               .chan = {[MLAW_Y] = &Y},
+                               .Ymax0 = &Ymax0,
+                               .d0 = &d0,
+                               .Ymax1 = &Ymax1,
+                               .d1 = &d1};
+    ck_assert_int_eq(material_damage(&material, &batch, NULL, &error), STATUS_OK);
+    ck_assert_double_eq(d1, 0.5);
+    material_free(&material);
+  }
+}
+END_TEST
+
 START_TEST(a_unit_in_a_scene_without_physical_flow_is_refused) {
   Error error;
   Material material;
@@ -423,6 +446,7 @@ int main(void) {
                                 a_general_law_steps_from_the_accepted_state_in_its_own_channels,
                                 damage_of_a_general_law_stops_at_the_cap_too,
                                 a_law_built_with_longer_structures_runs,
+                                laws_built_with_shorter_or_longer_structures_damage_as_they_say,
                                 a_unit_in_a_scene_without_physical_flow_is_refused,
                                 an_elastic_material_has_no_damage_and_asks_for_no_channel,
                                 set_up_survives_the_failure_of_any_allocation,

@@ -72,7 +72,8 @@ static const Entry layout[] = {
     {FIELD(mlaw_energy, var_size), 60},
     {FIELD(mlaw_energy, check), 64},
     {FIELD(mlaw_energy, eval), 72},
-    {SIZE(mlaw_energy), 80},
+    {FIELD(mlaw_energy, about), 80},
+    {SIZE(mlaw_energy), 88},
     {FIELD(mlaw_damage_args, size), 0},
     {FIELD(mlaw_damage_args, n_channels), 4},
     {FIELD(mlaw_damage_args, n), 8},
@@ -108,7 +109,8 @@ static const Entry layout[] = {
     {FIELD(mlaw_damage, threshold), 80},
     {FIELD(mlaw_damage, evolution), 88},
     {FIELD(mlaw_damage, update), 96},
-    {SIZE(mlaw_damage), 104},
+    {FIELD(mlaw_damage, about), 104},
+    {SIZE(mlaw_damage), 112},
     {FIELD(mlaw_plugin, size), 0},
     {FIELD(mlaw_plugin, abi_minor), 4},
     {FIELD(mlaw_plugin, host_minor_min), 6},
@@ -125,7 +127,7 @@ static const Entry layout[] = {
 
 static const Entry constants[] = {
     {VALUE(MLAW_ABI_MAJOR), 1},
-    {VALUE(MLAW_ABI_MINOR), 0},
+    {VALUE(MLAW_ABI_MINOR), 1},
     {VALUE(MLAW_OK), 0},
     {VALUE(MLAW_DOMAIN), 1},
     {VALUE(MLAW_NOCONV), 2},

@@ -30,6 +30,25 @@ START_TEST(a_shipped_plugin_opens_and_describes_its_law) {
 }
 END_TEST
 
+START_TEST(a_plugin_built_with_an_older_header_opens_and_lacks_what_came_later) {
+  const mlaw_plugin *plugin = open_plugin(BUILD_DIR "/tests/abi/older.so");
+  ck_assert_uint_eq(plugin->abi_minor, 0);
+  ck_assert_uint_lt(plugin->energy[0]->size, sizeof(mlaw_energy));
+  ck_assert_uint_lt(plugin->damage[0]->size, sizeof(mlaw_damage));
+  ck_assert_ptr_null(law_describe_energy(plugin->energy[0]).about);
+  ck_assert_ptr_null(law_describe_damage(plugin->damage[0]).about);
+}
+END_TEST
+
+START_TEST(a_plugin_built_with_a_newer_header_opens_and_its_tail_is_not_read) {
+  const mlaw_plugin *plugin = open_plugin(BROKEN "/from_the_future.so");
+  ck_assert_uint_gt(plugin->abi_minor, MLAW_ABI_MINOR);
+  ck_assert_uint_gt(plugin->energy[0]->size, sizeof(mlaw_energy));
+  ck_assert_uint_gt(plugin->damage[0]->size, sizeof(mlaw_damage));
+  ck_assert_uint_gt(plugin->size, sizeof(mlaw_plugin));
+}
+END_TEST
+
 START_TEST(opening_twice_gives_the_same_plugin) {
   ck_assert_ptr_eq(open_plugin(PLUGINS "/marigo.so"), open_plugin(PLUGINS "/marigo.so"));
 }
@@ -42,12 +61,12 @@ START_TEST(a_foreign_major_is_named) {
 END_TEST
 
 START_TEST(a_plugin_that_needs_a_newer_host_is_refused_with_both_numbers) {
-  expect_refusal(BROKEN "/newer_minor.so", "needs a host of ABI 1.700 or newer; this host has 1.0");
+  expect_refusal(BROKEN "/newer_minor.so", "needs a host of ABI 1.700 or newer; this host has 1.1");
 }
 END_TEST
 
 START_TEST(a_plugin_that_declines_is_reported) {
-  expect_refusal(BROKEN "/null_descriptor.so", "declines to serve a host of ABI 1.0");
+  expect_refusal(BROKEN "/null_descriptor.so", "declines to serve a host of ABI 1.1");
 }
 END_TEST
 
@@ -100,8 +119,11 @@ END_TEST
 int main(void) {
   return suite_run(
       "plugin",
-      (SuiteTests){a_shipped_plugin_opens_and_describes_its_law, opening_twice_gives_the_same_plugin,
-                   a_foreign_major_is_named, a_plugin_that_needs_a_newer_host_is_refused_with_both_numbers,
+      (SuiteTests){a_shipped_plugin_opens_and_describes_its_law,
+                   a_plugin_built_with_an_older_header_opens_and_lacks_what_came_later,
+                   a_plugin_built_with_a_newer_header_opens_and_its_tail_is_not_read,
+                   opening_twice_gives_the_same_plugin, a_foreign_major_is_named,
+                   a_plugin_that_needs_a_newer_host_is_refused_with_both_numbers,
                    a_plugin_that_declines_is_reported, a_descriptor_shorter_than_the_first_abi_is_not_read,
                    a_shared_object_without_the_entry_is_no_plugin,
                    a_missing_symbol_is_found_at_once_and_named, a_damage_law_of_both_kinds_is_refused,

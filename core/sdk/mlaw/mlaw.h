@@ -53,7 +53,7 @@ extern "C" {
 #endif
 
 #define MLAW_ABI_MAJOR  1
-#define MLAW_ABI_MINOR  0
+#define MLAW_ABI_MINOR  1
 #define MLAW_ENTRY_NAME "mlaw_plugin_v1"
 
 #if defined(__GNUC__)
@@ -155,6 +155,7 @@ typedef struct {
   uint32_t n_vars, var_size;                          /* var_size = sizeof(mlaw_var) */
   int (*check)(const double *param, mlaw_error *err); /* [setup] conditions across parameters, or NULL */
   int (*eval)(const mlaw_energy_args *a);             /* [kernel] */
+  const char *about;                                  /* as in mlaw_damage; since 1.1 */
 } mlaw_energy;
 
 /* ---- Damage laws ------------------------------------------------------------------------------------- */
@@ -208,6 +209,9 @@ typedef struct {
   int (*threshold)(const mlaw_damage_args *a);
   int (*evolution)(const mlaw_damage_args *a);
   int (*update)(const mlaw_damage_args *a);
+  const char *about; /* what a reader should know, or NULL: equations on lines that begin with four blanks,
+                      * sentences on others, blank lines between; for damage also whether it dissipates.
+                      * Since 1.1 */
 } mlaw_damage;
 
 /* ---- The plugin -------------------------------------------------------------------------------------- */
