@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-static const char USAGE[] = "usage: capsella laws [list | show ID | check FILE.so]\n";
+static const char USAGE[] = "usage: capsella laws [list | show ID | check FILE.so | new DIR]\n";
 
 static const char HELP[] =
     "\n"
@@ -14,6 +14,7 @@ static const char HELP[] =
     "  show ID   one law: source, parameters with units and ranges, moduli, channels; ID may be the path\n"
     "            of a plugin, FILE.so or FILE.so#ID\n"
     "  check FILE.so [--only REGEX] [--json]   does a plugin keep the rules, and are its laws sound?\n"
+    "  new DIR --kind KIND [--cxx] [--name ID]   a folder with a law that builds, to be changed into yours\n"
     "\n"
     "Laws are looked for in the folders of MLAW_PLUGIN_PATH (colon-separated), then in those of the "
     "program.\n";
@@ -221,7 +222,8 @@ int command_laws(int argc, char **argv) {
   if (strcmp(what, "list") == 0 && argc <= 2) return list();
   if (strcmp(what, "show") == 0 && argc == 3) return show(argv[2]);
   if (strcmp(what, "check") == 0) return command_laws_check(argc - 1, argv + 1);
-  fprintf(stderr, "capsella laws: expected list, show ID or check FILE.so, found '%s%s%s'\n%s", what,
+  if (strcmp(what, "new") == 0) return command_laws_new(argc - 1, argv + 1);
+  fprintf(stderr, "capsella laws: expected list, show ID, new DIR or check FILE.so, found '%s%s%s'\n%s", what,
           argc > 2 ? " " : "", argc > 2 ? argv[2] : "", USAGE);
   return EXIT_INPUT;
 }

@@ -5,17 +5,8 @@
 #include <stdbool.h>
 #include <string.h>
 
-static bool is_identifier(const char *id) {
-  for (const char *c = id; *c; c++) {
-    const bool letter = *c >= 'a' && *c <= 'z', digit = *c >= '0' && *c <= '9';
-    const bool dot = *c == '.' && c != id && c[1] && c[1] != '.';
-    if (!(letter || *c == '_' || dot || (digit && c != id))) return false;
-  }
-  return *id != '\0';
-}
-
 static Verdict id_well_formed(const Subject *subject) {
-  if (is_identifier(subject->table.id)) return verdict_passed();
+  if (law_id_is_valid(subject->table.id)) return verdict_passed();
   return verdict(CONFORMANCE_FAILED,
                  "expected an id of lower-case letters, digits, _ and dots (`vendor.name`), found `%.60s`",
                  subject->table.id);

@@ -11,6 +11,15 @@ const char *law_kind_name(LawKind kind) {
   return names[kind];
 }
 
+bool law_id_is_valid(const char *id) {
+  for (const char *c = id; *c; c++) {
+    const bool letter = *c >= 'a' && *c <= 'z', digit = *c >= '0' && *c <= '9';
+    const bool dot = *c == '.' && c != id && c[1] && c[1] != '.';
+    if (!(letter || *c == '_' || dot || (digit && c != id))) return false;
+  }
+  return *id != '\0';
+}
+
 LawDescription law_describe_energy(const mlaw_energy *law) {
   return (LawDescription){.id = law->id,
                           .title = law->title,

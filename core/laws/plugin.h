@@ -6,10 +6,15 @@
 
 #include "base/status.h"
 #include <mlaw/mlaw.h>
+#include <stdbool.h>
 
 typedef enum { LAW_ENERGY, LAW_DAMAGE, LAW_ANY } LawKind;
 
 const char *law_kind_name(LawKind kind); /* "energy", "damage", "energy or damage" */
+
+/* Lower-case letters, digits, _ and single dots inside, as in `vendor.name`; no part need be there but one.
+ */
+bool law_id_is_valid(const char *id);
 
 /* Opens a file (a path with a slash) and negotiates.  On success every structure and string of the plugin can
  * be read as mlaw.h says.  On failure (STATUS_INPUT) the message is the reason alone, without the file's

@@ -1,40 +1,40 @@
-/* TEMPLATE of an energy law.  Copy this file, rename the law, write your phi, and build it:
+/* A law of the membrane's elasticity, to start from: rename it, write your phi, and build it with
  *
- *     cc -std=c11 -O2 -fPIC -fvisibility=hidden -shared -o acme.so acme.c -lm
- *     capsella laws check ./acme.so
+ *     make check                         or, by hand,
+ *     cc -std=c11 -O2 -fPIC -fvisibility=hidden -shared -I. -o newlaw.so newlaw.c -lm
+ *     capsella laws check ./newlaw.so
  *
- * A scene takes it with `law: ./acme.so`, or `law: acme.sheet` once the file lies in a folder of
- * MLAW_PLUGIN_PATH.  This one is a neo-Hookean sheet that resists area change by an extra modulus:
- *
- *     phi = G_s/2 (I1 - I2/(1 + I2)) + A/8 I2^2,       K_s = 3 G_s + A
- */
+ * A scene takes it with `law: ./newlaw.so`, or `law: acme.newlaw` once the file lies in a folder of
+ * MLAW_PLUGIN_PATH.  This one is a neo-Hookean sheet that resists area change by an extra modulus.  The text
+ * is C11 and C++20. */
 #include <math.h>
 #include <mlaw/mlaw.h>
 
 /* The parameters, by the place they have in the table and in a->param. */
 enum { G_S, A, N_PARAMS };
 
-/* Name, SI unit, meaning, powers of mass, length and time, default, hard range, range of calibration. */
+/* In the order of the enum: name, SI unit, meaning, powers of mass, length and time, default, hard range,
+ * range of calibration. */
 static const mlaw_param params[N_PARAMS] = {
-    [G_S] = {.name = "G_s",
-             .unit = "N/m",
-             .about = "surface shear modulus at small strain",
-             .dim = {1, 0, -2},
-             .flags = MLAW_OPEN_LO, /* 0 itself is refused */
-             .value = 1.0,
-             .lo = 0.0,
-             .hi = INFINITY,
-             .ok_lo = 0.0,
-             .ok_hi = INFINITY},
-    [A] = {.name = "A",
-           .unit = "N/m",
-           .about = "resistance to area change beyond that of the neo-Hookean sheet",
-           .dim = {1, 0, -2},
-           .value = 0.0,
-           .lo = 0.0,
-           .hi = INFINITY,
-           .ok_lo = 0.0,
-           .ok_hi = 100.0},
+    {.name = "G_s",
+     .unit = "N/m",
+     .about = "surface shear modulus at small strain",
+     .dim = {1, 0, -2},
+     .flags = MLAW_OPEN_LO, /* 0 itself is refused */
+     .value = 1.0,
+     .lo = 0.0,
+     .hi = INFINITY,
+     .ok_lo = 0.0,
+     .ok_hi = INFINITY},
+    {.name = "A",
+     .unit = "N/m",
+     .about = "resistance to area change beyond that of the neo-Hookean sheet",
+     .dim = {1, 0, -2},
+     .value = 0.0,
+     .lo = 0.0,
+     .hi = INFINITY,
+     .ok_lo = 0.0,
+     .ok_hi = 100.0},
 };
 
 /* One plain loop for each output that is asked for: compilers turn these into vector code. */
@@ -44,13 +44,13 @@ static int eval(const mlaw_energy_args *a) {
   const ptrdiff_t n = (ptrdiff_t)a->n, ld = (ptrdiff_t)a->ld;
 
   if (a->phi) {
-    double *restrict phi = a->phi;
+    double *phi = a->phi;
     for (ptrdiff_t i = 0; i < n; i++)
       phi[i] =
           0.5 * mlaw_at(g, i) * (I1[i] - I2[i] / (1.0 + I2[i])) + 0.125 * mlaw_at(area, i) * I2[i] * I2[i];
   }
   if (a->dphi) { /* first derivatives: with respect to I1, then I2 */
-    double *restrict phi_1 = a->dphi, *restrict phi_2 = a->dphi + ld;
+    double *phi_1 = a->dphi, *phi_2 = a->dphi + ld;
     for (ptrdiff_t i = 0; i < n; i++) {
       const double u = 1.0 / (1.0 + I2[i]);
       phi_1[i] = 0.5 * mlaw_at(g, i);
@@ -58,8 +58,7 @@ static int eval(const mlaw_energy_args *a) {
     }
   }
   if (a->d2phi) { /* second derivatives: 11, 12, 22; leave this and MLAW_HESSIAN out if you have none */
-    double *restrict phi_11 = a->d2phi, *restrict phi_12 = a->d2phi + ld,
-                     *restrict phi_22 = a->d2phi + 2 * ld;
+    double *phi_11 = a->d2phi, *phi_12 = a->d2phi + ld, *phi_22 = a->d2phi + 2 * ld;
     for (ptrdiff_t i = 0; i < n; i++) {
       const double u = 1.0 / (1.0 + I2[i]);
       phi_11[i] = phi_12[i] = 0.0;
@@ -69,16 +68,23 @@ static int eval(const mlaw_energy_args *a) {
   return MLAW_OK; /* or: return mlaw_fail(a->err, MLAW_DOMAIN, i, "why point i is beyond this law"); */
 }
 
+static const char about[] = /* equations begin with four blanks */
+    "    phi = G_s/2 (I1 - I2/(1 + I2)) + A/8 I2^2\n"
+    "    K_s = 3 G_s + A\n"
+    "\n"
+    "Say here what the law is good for and how it behaves.\n";
+
 static const mlaw_energy law = {
     .size = sizeof(mlaw_energy),
     .flags = MLAW_HESSIAN,
-    .id = "acme.sheet",
+    .id = "acme.newlaw",
     .title = "Neo-Hookean sheet with extra resistance to area change",
     .source = "say here where the law comes from: paper and equation",
     .params = params,
     .n_params = N_PARAMS,
     .param_size = sizeof(mlaw_param),
     .eval = eval,
+    .about = about,
 };
 
 static const mlaw_energy *const laws[] = {&law};
@@ -87,7 +93,7 @@ static const mlaw_plugin plugin = {
     .size = sizeof(mlaw_plugin),
     .abi_minor = MLAW_ABI_MINOR,
     .host_minor_min = 0, /* nothing here needs more than ABI 1.0 */
-    .id = "acme.sheet",
+    .id = "acme.newlaw",
     .version = "1.0",
     .license = "MIT",
     .author = "you",

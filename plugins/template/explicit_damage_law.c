@@ -1,41 +1,46 @@
-/* TEMPLATE of a damage law of the explicit kind: damage is a function of the largest Y so far.
- * energy_law.c says how to build, check and use it.  Here the hardening grows with damage:
+/* A damage law of the explicit kind, to start from: damage is a function of the largest Y so far.  Rename it,
+ * write your f and zeta, and build it with
  *
- *     f(Y; d) = Y - kappa(d) <= 0,   kappa(d) = Y_D + Y_C (d + d^2)/2,   full damage at Y_D + Y_C
- *     zeta(Y) = kappa^-1(Y) = (sqrt(1 + 8 x) - 1)/2,   x = (Y - Y_D)/Y_C
+ *     make check                         or, by hand,
+ *     cc -std=c11 -O2 -fPIC -fvisibility=hidden -shared -I. -o newlaw.so newlaw.c -lm
+ *     capsella laws check ./newlaw.so
  *
- * The host keeps the largest Y, lets d only grow, and caps it; a law never does. */
+ * A scene takes it with `law: ./newlaw.so`, or `law: acme.newlaw` once the file lies in a folder of
+ * MLAW_PLUGIN_PATH.  Here the hardening grows with damage.  The host keeps the largest Y, lets d only grow,
+ * and caps it; a law never does.  The text is C11 and C++20. */
 #include <math.h>
 #include <mlaw/mlaw.h>
 
 enum { Y_D, Y_C, N_PARAMS };
 
+/* In the order of the enum: name, SI unit, meaning, powers of mass, length and time, default, hard range,
+ * range of calibration. */
 static const mlaw_param params[N_PARAMS] = {
-    [Y_D] = {.name = "Y_D",
-             .unit = "N/m",
-             .about = "energy release rate at which damage starts",
-             .dim = {1, 0, -2},
-             .flags = MLAW_REQUIRED, /* no default: a scene must say it */
-             .lo = 0.0,
-             .hi = INFINITY,
-             .ok_lo = 0.0,
-             .ok_hi = INFINITY},
-    [Y_C] = {.name = "Y_C",
-             .unit = "N/m",
-             .about = "hardening: rupture at Y_D + Y_C",
-             .dim = {1, 0, -2},
-             .flags = MLAW_REQUIRED | MLAW_OPEN_LO,
-             .lo = 0.0,
-             .hi = INFINITY,
-             .ok_lo = 0.0,
-             .ok_hi = INFINITY},
+    {.name = "Y_D",
+     .unit = "N/m",
+     .about = "energy release rate at which damage starts",
+     .dim = {1, 0, -2},
+     .flags = MLAW_REQUIRED, /* no default: a scene must say it */
+     .lo = 0.0,
+     .hi = INFINITY,
+     .ok_lo = 0.0,
+     .ok_hi = INFINITY},
+    {.name = "Y_C",
+     .unit = "N/m",
+     .about = "hardening: rupture at Y_D + Y_C",
+     .dim = {1, 0, -2},
+     .flags = MLAW_REQUIRED | MLAW_OPEN_LO,
+     .lo = 0.0,
+     .hi = INFINITY,
+     .ok_lo = 0.0,
+     .ok_hi = INFINITY},
 };
 
 /* f at (Y, d0): negative inside the elastic domain. */
 static int threshold(const mlaw_damage_args *a) {
   const double *Y = a->chan[MLAW_Y], *d = a->d0;
   const mlaw_field y_d = a->param[Y_D], y_c = a->param[Y_C];
-  double *restrict f = a->f;
+  double *f = a->f;
   for (ptrdiff_t i = 0; i < (ptrdiff_t)a->n; i++)
     f[i] = Y[i] - mlaw_at(y_d, i) - 0.5 * mlaw_at(y_c, i) * (d[i] + d[i] * d[i]);
   return MLAW_OK;
@@ -55,9 +60,16 @@ static int evolution(const mlaw_damage_args *a) {
   return MLAW_OK;
 }
 
+static const char about[] = /* equations begin with four blanks */
+    "    drive      Y, the energy release rate\n"
+    "    threshold  f(Y; d) = Y - kappa(d) <= 0,   kappa(d) = Y_D + Y_C (d + d^2)/2\n"
+    "    evolution  zeta(Y) = (sqrt(1 + 8 x) - 1)/2,   x = (Y - Y_D)/Y_C\n"
+    "\n"
+    "Full damage at Y_D + Y_C.  Associated law; dissipation Y dd/dt >= 0.\n";
+
 static const mlaw_damage law = {
     .size = sizeof(mlaw_damage),
-    .id = "acme.hardening",
+    .id = "acme.newlaw",
     .title = "Damage with hardening that grows with damage",
     .source = "say here where the law comes from: paper and equation",
     .params = params,
@@ -66,6 +78,7 @@ static const mlaw_damage law = {
     .needs = 1u << MLAW_Y,
     .threshold = threshold,
     .evolution = evolution,
+    .about = about,
 };
 
 static const mlaw_damage *const laws[] = {&law};
@@ -73,7 +86,7 @@ static const mlaw_damage *const laws[] = {&law};
 static const mlaw_plugin plugin = {
     .size = sizeof(mlaw_plugin),
     .abi_minor = MLAW_ABI_MINOR,
-    .id = "acme.hardening",
+    .id = "acme.newlaw",
     .version = "1.0",
     .license = "MIT",
     .author = "you",

@@ -113,6 +113,25 @@ START_TEST(check_of_nothing_is_an_input_error) {
 }
 END_TEST
 
+START_TEST(new_names_what_it_cannot_use_and_writes_nothing) {
+  ck_assert_int_eq(laws("new"), 2);
+  expect_output("expected a folder");
+  ck_assert_int_eq(laws("new nowhere/tear"), 2);
+  expect_output("expected --kind");
+  ck_assert_int_eq(laws("new nowhere/tear --kind wood"), 2);
+  expect_output("found 'wood'");
+  ck_assert_int_eq(laws("new nowhere/Tear-3 --kind damage"), 2);
+  expect_output("found 'Tear-3'");
+  ck_assert_int_eq(laws("new nowhere/skalak --kind damage"), 2);
+  expect_output("the law `skalak` exists, in " PLUGINS "/skalak.so");
+  ck_assert_int_eq(access("nowhere", F_OK), -1);
+  ck_assert_int_eq(laws("new plugins --kind damage"), 2);
+  expect_output("plugins: expected a folder that is not there yet");
+  ck_assert_int_eq(laws("new --help"), 0);
+  expect_output("usage: capsella laws new");
+}
+END_TEST
+
 int main(void) {
   return suite_run("command_laws",
                    (SuiteTests){list_gives_kind_id_title_and_file_of_every_law,
@@ -121,5 +140,6 @@ int main(void) {
                                 a_law_that_is_not_there_is_an_input_error_with_the_nearest_name,
                                 a_wrong_call_is_an_input_error_with_the_usage,
                                 check_prints_each_test_and_ends_with_1_when_one_fails,
-                                check_of_nothing_is_an_input_error, NULL});
+                                check_of_nothing_is_an_input_error,
+                                new_names_what_it_cannot_use_and_writes_nothing, NULL});
 }
