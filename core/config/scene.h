@@ -27,6 +27,12 @@ typedef struct {
   size_t n_parameters;
 } SceneLaw;
 
+/* A damage law that looks on along a run, without feedback. */
+typedef struct {
+  char *name; /* letters, digits, `_`, `-` and `.`; no two criteria share one */
+  SceneLaw law;
+} SceneCriterion;
+
 typedef enum { SHAPE_SPHERE } CapsuleShape;
 typedef enum { MASS_PCG, MASS_UMFPACK } MassSolver;
 typedef enum {
@@ -90,6 +96,11 @@ typedef struct {
     RuptureAction rupture;
     double steady; /* 0: do not stop when steady */
   } stop;
+
+  struct {
+    SceneCriterion *criteria;
+    size_t n_criteria;
+  } observe;
 
   Accuracy accuracy;
   SymmetryChoice symmetry;

@@ -148,6 +148,12 @@ const SchemaRow SCHEMA[] = {
      .meaning = "Stop as steady when the rates of D12 and of the largest damage, taken between rows of the "
                 "history, stay below this; 0: never."},
 
+    {.key = "observe.criteria", .type = TYPE_CRITERIA, AT(observe.criteria),
+     .companion = offsetof(Scene, observe.n_criteria), .fallback = "[]",
+     .meaning = "Damage laws that look on, without feedback: each has its own damage, and the summary and "
+                "criteria.csv tell when and where it would have begun and ruptured. `name` may be left out; "
+                "it is then that of the law."},
+
     {.key = "accuracy", .type = TYPE_CHOICE, AT(accuracy), .choices = SCHEMA_ACCURACY, .fallback = "standard",
      .meaning = "Sets the defaults of the method and the tolerance together (table below)."},
     {.key = "symmetry", .type = TYPE_CHOICE, AT(symmetry), .choices = SYMMETRIES, .fallback = "auto",
@@ -276,6 +282,8 @@ Status schema_expected(const SchemaRow *row, Text *text, Error *error) {
     return text_append(text, error, "the name of a law or the path of a shared object");
   case TYPE_PARAMETERS:
     return text_append(text, error, "a mapping of names to numbers or quantities");
+  case TYPE_CRITERIA:
+    return text_append(text, error, "a list of mappings `{name: , law: , parameters: }`");
   case TYPE_GROUP:
     return text_append(text, error, "a mapping");
   }

@@ -18,6 +18,7 @@ typedef enum {
   TYPE_PATH,       /* [[t, alpha], ...] -> double (*)[2]; companion: size_t, number of points */
   TYPE_LAW,        /* name or path of a law -> law and place of a SceneLaw */
   TYPE_PARAMETERS, /* names to numbers or quantities -> parameters of a SceneLaw */
+  TYPE_CRITERIA,   /* list of mappings {name, law, parameters} -> SceneCriterion *; companion: size_t */
   TYPE_GROUP,      /* a mapping that may be left out, with required keys in it -> bool: it was given */
 } SchemaType;
 

@@ -196,6 +196,60 @@ cleanup:
   return status;
 }
 
+/* The name of a criterion goes into tables: letters, digits and a little more. */
+static Status name_criterion(const Reading *reading, const YamlNode *node, SceneCriterion *criterion) {
+  static const char LETTERS[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_0123456789.-";
+  enum { LONGEST = 60 };
+  const YamlNode *given = yaml_tree_find(node, "name");
+  const char *name = given ? given->text : criterion->law.law;
+  if (!name || !*name || name[strspn(name, LETTERS)] || strlen(name) > LONGEST)
+    return place_error(given ? &given->place : &node->place, reading->error,
+                       "expected a `name` of at most %d letters, digits, `_`, `.` and `-` in `%s`, found %s",
+                       LONGEST, reading->row->key, given ? yaml_tree_found(given).text : "none");
+  criterion->name = text_copy(name, reading->error);
+  return criterion->name ? STATUS_OK : reading->error->code;
+}
+
+static Status read_criterion(const Reading *reading, const YamlNode *node, SceneCriterion *criterion) {
+  Status status = STATUS_OK;
+  if (node->kind != YAML_TREE_MAPPING) return unexpected(reading, node, "");
+  for (size_t i = 0; i < node->count; i++) {
+    const YamlNode *entry = node->items[i];
+    if (strcmp(entry->key, "law") == 0)
+      TRY(read_law(reading, entry, &criterion->law));
+    else if (strcmp(entry->key, "parameters") == 0)
+      TRY(read_parameters(reading, entry, &criterion->law));
+    else if (strcmp(entry->key, "name") != 0)
+      return place_error(&entry->key_place, reading->error,
+                         "expected `name`, `law` or `parameters` in `%s`, found `%.60s`", reading->row->key,
+                         entry->key);
+  }
+  if (!criterion->law.law)
+    return place_error(&node->place, reading->error, "expected a `law` in `%s`, found none",
+                       reading->row->key);
+  TRY(name_criterion(reading, node, criterion));
+cleanup:
+  return status;
+}
+
+static Status read_criteria(const Reading *reading, const YamlNode *node, SceneCriterion **criteria) {
+  Status status = STATUS_OK;
+  size_t *count = companion(reading->row, reading->scene);
+  if (node->kind != YAML_TREE_LIST) return unexpected(reading, node, "");
+  TRY(ARRAY_NEW(criteria, node->count, reading->error));
+  *count = node->count;
+  for (size_t i = 0; i < node->count; i++) {
+    TRY(read_criterion(reading, node->items[i], &(*criteria)[i]));
+    for (size_t k = 0; k < i; k++)
+      if (strcmp((*criteria)[k].name, (*criteria)[i].name) == 0)
+        TRY(place_error(&node->items[i]->place, reading->error,
+                        "expected criteria of different names in `%s`, found `%s` twice (give a `name`)",
+                        reading->row->key, (*criteria)[i].name));
+  }
+cleanup:
+  return status;
+}
+
 Status value_read(const SchemaRow *row, const YamlNode *node, Scene *scene, Error *error) {
   Reading reading = {row, scene, error};
   void *value = member(row, scene);
@@ -224,6 +278,8 @@ Status value_read(const SchemaRow *row, const YamlNode *node, Scene *scene, Erro
     return read_law(&reading, node, value);
   case TYPE_PARAMETERS:
     return read_parameters(&reading, node, value);
+  case TYPE_CRITERIA:
+    return read_criteria(&reading, node, value);
   case TYPE_GROUP:
     *(bool *)value = true;
     return STATUS_OK;
@@ -285,6 +341,21 @@ cleanup:
   return status;
 }
 
+static Status print_criteria(const SceneCriterion *criteria, size_t count, Text *yaml, Error *error) {
+  Status status = STATUS_OK;
+  TRY(text_append(yaml, error, "["));
+  for (size_t i = 0; i < count; i++) {
+    TRY(text_append(yaml, error, "%s{name: \"%s\", law: ", i ? ", " : "", criteria[i].name));
+    TRY(print_text(criteria[i].law.law, yaml, error));
+    TRY(text_append(yaml, error, ", parameters: "));
+    TRY(print_parameters(&criteria[i].law, yaml, error));
+    TRY(text_append(yaml, error, "}"));
+  }
+  TRY(text_append(yaml, error, "]"));
+cleanup:
+  return status;
+}
+
 Status value_print(const SchemaRow *row, const Scene *scene, Text *yaml, Error *error) {
   const void *value = const_member(row, scene);
   switch (row->type) {
@@ -315,15 +386,40 @@ Status value_print(const SchemaRow *row, const Scene *scene, Text *yaml, Error *
     return print_text(((const SceneLaw *)value)->law, yaml, error);
   case TYPE_PARAMETERS:
     return print_parameters(value, yaml, error);
+  case TYPE_CRITERIA:
+    return print_criteria(*(SceneCriterion *const *)value,
+                          *(const size_t *)((const char *)scene + row->companion), yaml, error);
   case TYPE_GROUP:
     return STATUS_OK;
   }
   return error_set(error, STATUS_FAILED, "`%s` has no type", row->key);
 }
 
+static void free_law(SceneLaw *law) {
+  array_free(law->law);
+  law->law = NULL;
+}
+
+static void free_parameters(SceneLaw *law) {
+  for (size_t i = 0; i < law->n_parameters; i++) array_free(law->parameters[i].name);
+  array_free(law->parameters);
+  law->parameters = NULL;
+  law->n_parameters = 0;
+}
+
+static void free_criteria(SceneCriterion **criteria, size_t *count) {
+  for (size_t i = 0; i < *count; i++) {
+    array_free((*criteria)[i].name);
+    free_law(&(*criteria)[i].law);
+    free_parameters(&(*criteria)[i].law);
+  }
+  array_free(*criteria);
+  *criteria = NULL;
+  *count = 0;
+}
+
 void value_free(const SchemaRow *row, Scene *scene) {
   void *value = member(row, scene);
-  SceneLaw *law = value;
   switch (row->type) {
   case TYPE_TEXT:
   case TYPE_PATH:
@@ -331,14 +427,13 @@ void value_free(const SchemaRow *row, Scene *scene) {
     *(void **)value = NULL;
     break;
   case TYPE_LAW:
-    array_free(law->law);
-    law->law = NULL;
+    free_law(value);
     break;
   case TYPE_PARAMETERS:
-    for (size_t i = 0; i < law->n_parameters; i++) array_free(law->parameters[i].name);
-    array_free(law->parameters);
-    law->parameters = NULL;
-    law->n_parameters = 0;
+    free_parameters(value);
+    break;
+  case TYPE_CRITERIA:
+    free_criteria(value, companion(row, scene));
     break;
   default:
     break;

@@ -314,6 +314,16 @@ cleanup:
   return status;
 }
 
+Status material_criterion(Material *material, const Scene *scene, const SceneLaw *law,
+                          const LawSearch *search, const LawScales *scales, Log *log, Error *error) {
+  if (!scene->flow.is_physical) scales = NULL;
+  *material = (Material){.d_max = 1};
+  const Status status = take_law(&material->damage, &material->damage_parameter, &material->damage_field,
+                                 LAW_DAMAGE, law, search, scales, log, error);
+  if (status != STATUS_OK) material_free(material);
+  return status;
+}
+
 void material_free(Material *material) {
   law_release(&material->elastic);
   law_release(&material->damage);

@@ -29,6 +29,10 @@ typedef struct {
  * stress-free membrane.  `scales` are used when flow.is_physical. */
 Status material_new(Material *material, const Scene *scene, const LawSearch *search, const LawScales *scales,
                     Log *log, Error *error);
+/* A material that only damages: the law of a criterion, which looks on.  Everything of the elastic law is
+ * zero. */
+Status material_criterion(Material *material, const Scene *scene, const SceneLaw *law,
+                          const LawSearch *search, const LawScales *scales, Log *log, Error *error);
 void material_free(Material *material);
 
 /* A batch of points handed to the elastic law: I1, I2 [n] in; phi [n], dphi [2][ld] and d2phi [3][ld] out

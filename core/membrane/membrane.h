@@ -58,6 +58,16 @@ typedef struct {
 } MembranePoints;
 MembranePoints membrane_points_view(const Membrane *membrane);
 
+/* What may drive damage, of the undamaged membrane: fills in those of the arrays [n_points] that are not
+ * NULL. */
+void membrane_channels(const Membrane *membrane, double *const channel[MLAW_N_CHANNELS]);
+
+/* Index of the largest of `value` [n_points]: the first of those that are equal by symmetry. */
+int membrane_largest(const Membrane *membrane, const double *value);
+
+/* Share of the reference area on which d [n_points] is above 0. */
+double membrane_damaged_area(const Membrane *membrane, const double *d);
+
 /* Principal tensions T1 >= T2 of the damaged membrane at the integration points, [n_points] each (any may be
  * NULL). */
 void membrane_principal_tensions(const Membrane *membrane, double *T1, double *T2);

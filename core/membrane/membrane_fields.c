@@ -4,6 +4,7 @@
 #include "mesh/p2.h"
 #include "mesh/quadrature.h"
 #include <math.h>
+#include <string.h>
 
 int membrane_points(const Membrane *m) {
   return m->n_points;
@@ -24,6 +25,32 @@ MembranePoints membrane_points_view(const Membrane *m) {
 
 MembraneCount membrane_count(const Membrane *m) {
   return (MembraneCount){.mass_iterations = m->mass.iterations};
+}
+
+void membrane_channels(const Membrane *m, double *const channel[MLAW_N_CHANNELS]) {
+  const size_t bytes = (size_t)m->n_points * sizeof(double);
+  if (channel[MLAW_Y]) memcpy(channel[MLAW_Y], m->phi, bytes);
+  if (channel[MLAW_I1]) memcpy(channel[MLAW_I1], m->I1, bytes);
+  if (channel[MLAW_I2]) memcpy(channel[MLAW_I2], m->I2, bytes);
+  if (channel[MLAW_L1] || channel[MLAW_L2] || channel[MLAW_T1] || channel[MLAW_T2])
+    principal_values(m->n_points, m->I1, m->I2, m->dphi, m->dphi + m->n_points, channel[MLAW_L1],
+                     channel[MLAW_L2], channel[MLAW_T1], channel[MLAW_T2]);
+}
+
+int membrane_largest(const Membrane *m, const double *value) {
+  int at = 0;
+  for (int k = 1; k < m->n_points; k++)
+    if (value[k] > value[at] + 1e-12 * fabs(value[at])) at = k;
+  return at;
+}
+
+double membrane_damaged_area(const Membrane *m, const double *d) {
+  double area = 0, damaged = 0;
+  for (int k = 0; k < m->n_points; k++) {
+    area += m->weight[k];
+    if (d[k] > 0) damaged += m->weight[k];
+  }
+  return damaged / area;
 }
 
 void membrane_principal_tensions(const Membrane *m, double *T1, double *T2) {

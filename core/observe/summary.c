@@ -45,7 +45,7 @@ static void put_damage(Json *json, const Summary *summary) {
   put_places(json, summary->rupture.X, summary->rupture.x);
   json_number(json, "angle_to_vorticity_deg", summary->rupture.angle_to_vorticity_deg);
   json_number(json, "angle_to_major_axis_deg", summary->rupture.angle_to_major_axis_deg);
-  json_number(json, "damaged_area_fraction", summary->rupture.damaged_area_fraction);
+  json_number(json, "damaged_area_fraction", summary->damaged_area_fraction);
   json_close(json);
 }
 
@@ -88,6 +88,7 @@ Status summary_print(const Summary *summary, Text *text, Error *error) {
   json_number(&json, "energy_error_max", summary->energy_error_max);
   put_cost(&json, summary);
   put_physical(&json, summary);
+  if (summary->n_criteria > 0) verdicts_print_json(summary->criteria, summary->n_criteria, &json);
   json_open_array(&json, "skipped");
   for (size_t k = 0; k < summary->n_skipped; k++) json_string(&json, NULL, summary->skipped[k]);
   json_close(&json);

@@ -4,6 +4,7 @@
 
 #include "base/status.h"
 #include "base/text.h"
+#include "observe/verdict.h"
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -25,11 +26,8 @@ typedef struct {
   double Y_max;
   double t_c, t_l; /* first time with d > 0, with d >= 1; NAN: not reached */
   bool has_rupture;
-  struct {
-    double X[3], x[3];
-    double angle_to_vorticity_deg, angle_to_major_axis_deg;
-    double damaged_area_fraction; /* of the reference area with d > 0 */
-  } rupture;
+  Site rupture;                 /* where, if has_rupture */
+  double damaged_area_fraction; /* then, of the reference area with d > 0 */
   double energy_error_max;
   long long steps, rejected_steps, evaluations;
   double wall_seconds;
@@ -38,6 +36,8 @@ typedef struct {
   double length_scale, time_scale, tension_scale;
   const char *const *skipped; /* sentences: what was not set up, and why */
   size_t n_skipped;
+  const Verdict *criteria; /* what criteria that looked on say; the key is left out when there are none */
+  size_t n_criteria;
 } Summary;
 
 /* The keys of the interface, in its order. */

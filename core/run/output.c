@@ -23,6 +23,8 @@ static Status print_resolved(Output *output, const Simulation *s, Error *error) 
                   "Written by capsella " CAPSELLA_VERSION ": the scene with every default.\n"));
   TRY(describe_law(&comments, "elastic", &s->material.elastic, error));
   if (material_has_damage(&s->material)) TRY(describe_law(&comments, "damage", &s->material.damage, error));
+  for (size_t i = 0; i < s->n_criteria; i++)
+    TRY(describe_law(&comments, "observing", &s->criterion[i].damage, error));
   TRY(scene_print(s->scene, comments.data, &output->resolved, error));
 cleanup:
   text_free(&comments);
@@ -95,7 +97,8 @@ cleanup:
 
 /* Removes what an earlier run has left in the folder: it would pass for a result of this one. */
 static Status clear_folder(const Output *output, Error *error) {
-  static const char *const names[] = {"summary.json", "series.xdmf", "snapshots.hdf.series", "capsule.svg"};
+  static const char *const names[] = {"summary.json", "series.xdmf", "snapshots.hdf.series", "capsule.svg",
+                                      "criteria.csv"};
   Status status = STATUS_OK;
   int *numbers = NULL;
   size_t count;
@@ -168,7 +171,7 @@ Status output_row(Output *output, const HistoryRow *row, Error *error) {
 
 /* ---- snapshots ---- */
 
-enum { MAX_RESTART_ITEMS = MOTION_RESTART_ITEMS + MLAW_N_CHANNELS + 12 };
+enum { MAX_RESTART_ITEMS = MOTION_RESTART_ITEMS + MLAW_N_CHANNELS + 14 };
 
 /* One list serves writing and reading. */
 static size_t restart_items(Output *output, Simulation *s, Record *record, RestartItem *items) {
@@ -194,6 +197,14 @@ static size_t restart_items(Output *output, Simulation *s, Record *record, Resta
       items[n++] = (RestartItem){.name = channel_names[c], .count = points, .doubles = history->channel[c]};
   items[n++] = (RestartItem){
       .name = "record", .count = sizeof record->data / sizeof(double), .doubles = &record->data.t_c};
+  const Criteria *criteria = &record->criteria;
+  if (criteria->observers.n > 0) {
+    items[n++] = (RestartItem){
+        .name = "criteria", .count = criteria->observers.size, .doubles = criteria->observers.accepted};
+    items[n++] = (RestartItem){.name = "findings",
+                               .count = criteria->observers.n * sizeof(Finding) / sizeof(double),
+                               .doubles = &criteria->finding->t_c};
+  }
   items[n++] = (RestartItem){.name = "history_bytes", .count = 1, .integers = &output->history.bytes};
   items[n++] = (RestartItem){.name = "last_row_t", .count = 1, .doubles = &output->last_row_t};
   items[n++] = (RestartItem){.name = "next_sample", .count = 1, .integers = &output->next_sample};

@@ -6,8 +6,6 @@
 #include <math.h>
 #include <string.h>
 
-static const double DEGREES = 57.295779513082320877;
-
 Status record_new(Record *record, Simulation *s, Error *error) {
   Status status = STATUS_OK;
   const size_t n = 3 * (size_t)s->mesh.n_nodes, points = (size_t)membrane_points(s->membrane);
@@ -20,6 +18,7 @@ Status record_new(Record *record, Simulation *s, Error *error) {
   TRY(ARRAY_NEW(&record->T1, points, error));
   TRY(ARRAY_NEW(&record->T2, points, error));
   if (simulation_is_inflation(s)) TRY(ARRAY_NEW(&record->area_vector, n, error));
+  TRY(criteria_new(&record->criteria, s, error));
 cleanup:
   if (status != STATUS_OK) record_free(record);
   return status;
@@ -33,6 +32,7 @@ void record_free(Record *record) {
   array_free(record->T1);
   array_free(record->T2);
   array_free(record->area_vector);
+  criteria_free(&record->criteria);
   *record = (Record){0};
 }
 
@@ -93,9 +93,9 @@ Status record_begin(Record *record, bool restored, Error *error) {
   if (status != STATUS_OK) return status;
   keep_force(record);
   record->t1 = record->probed_t;
-  if (!restored)
-    record->data.work = stored(record) + dissipated(record); /* an inflation may start inflated */
-  return STATUS_OK;
+  if (restored) return STATUS_OK;
+  record->data.work = stored(record) + dissipated(record); /* an inflation may start inflated */
+  return criteria_begin(record, error);
 }
 
 Status record_probe(Record *record, double t, Error *error) {
@@ -142,33 +142,42 @@ Status record_step(Record *record, double t1, Error *error) {
 
 /* ---- extremes ---- */
 
-static int largest(const double *values, int n) {
-  int at = 0;
-  for (int k = 1; k < n; k++)
-    if (values[k] > values[at] * (1 + 1e-12)) at = k; /* the first of points that are equal by symmetry */
-  return at;
-}
-
 static double largest_damage(const Record *record) {
   const Membrane *membrane = record->simulation->membrane;
   const double *d = membrane_points_view(membrane).d;
-  return d ? d[largest(d, membrane_points(membrane))] : 0;
+  return d ? d[membrane_largest(membrane, d)] : 0;
 }
 
 static double largest_release_rate(const Record *record) {
   const Membrane *membrane = record->simulation->membrane;
   const double *phi = membrane_points_view(membrane).phi;
-  const double now =
-      phi[largest(phi, membrane_points(membrane))] / record->simulation->material.shear_modulus;
+  const double now = phi[membrane_largest(membrane, phi)] / record->simulation->material.shear_modulus;
   return fmax(now, record->data.Y_max);
 }
 
 void record_peak(const Record *record, double X[3], double x[3]) {
   const Simulation *s = record->simulation;
   const MembranePoints points = membrane_points_view(s->membrane);
-  const int k = largest(points.d ? points.d : points.phi, membrane_points(s->membrane));
+  const int k = membrane_largest(s->membrane, points.d ? points.d : points.phi);
   membrane_point_position(s->membrane, k, s->mesh.X, X);
   membrane_point_position(s->membrane, k, record->x, x);
+}
+
+/* ---- places ---- */
+
+Status record_shape(const Record *record, Shape *shape, Error *error) {
+  static const double Y_AXIS[3] = {0, 1, 0};
+  const Simulation *s = record->simulation;
+  return shape_measure(&s->mesh, record->x, simulation_is_inflation(s) ? Y_AXIS : s->flow.vorticity_axis,
+                       shape, error);
+}
+
+Site record_site(const Record *record, const Shape *shape, int k) {
+  const Simulation *s = record->simulation;
+  double X[3], x[3];
+  membrane_point_position(s->membrane, k, s->mesh.X, X);
+  membrane_point_position(s->membrane, k, record->x, x);
+  return site_measure(shape, simulation_is_inflation(s) ? shape->e3 : s->flow.vorticity_axis, X, x);
 }
 
 /* ---- rows ---- */
@@ -194,9 +203,7 @@ Status record_row(Record *record, HistoryRow *row, Shape *shape, Error *error) {
   const Simulation *s = record->simulation;
   const double G = s->material.shear_modulus;
   const int n = membrane_points(s->membrane);
-  static const double Y_AXIS[3] = {0, 1, 0};
-  TRY(shape_measure(&s->mesh, record->x, simulation_is_inflation(s) ? Y_AXIS : s->flow.vorticity_axis, shape,
-                    error));
+  TRY(record_shape(record, shape, error));
   membrane_principal_tensions(s->membrane, record->T1, record->T2);
   double T1_max = -INFINITY, T2_min = INFINITY;
   for (int k = 0; k < n; k++) {
@@ -230,48 +237,45 @@ cleanup:
 
 /* ---- events ---- */
 
-/* First time in the proposed step at which the largest damage passes `level` (d > 0 for level 0, d >= level
- * else), by bisection on the dense output; the probe is left there. */
-static Status locate(Record *record, double level, double *t_event, Error *error) {
+Status record_locate(Record *record, RecordTest *happened, const void *context, double *t, Error *error) {
   Status status = STATUS_OK;
   double before = record->simulation->motion->t, after = record->t1;
   const double resolution = 1e-6 * (record->t1 - before);
   while (after - before > resolution) {
     const double middle = 0.5 * (before + after);
+    bool is_over;
     TRY(record_probe(record, middle, error));
-    const double d = largest_damage(record);
-    if (level > 0 ? d >= level : d > 0)
-      after = middle;
-    else
-      before = middle;
+    TRY(happened(record, context, &is_over, error));
+    *(is_over ? &after : &before) = middle;
   }
   TRY(record_probe(record, after, error));
-  *t_event = after;
+  *t = after;
 cleanup:
   return status;
 }
 
+static Status is_damaged(Record *record, const void *context, bool *answer, Error *error) {
+  (void)context;
+  (void)error;
+  *answer = largest_damage(record) > 0;
+  return STATUS_OK;
+}
+
+static Status is_ruptured(Record *record, const void *context, bool *answer, Error *error) {
+  (void)context;
+  (void)error;
+  *answer = largest_damage(record) >= 1;
+  return STATUS_OK;
+}
+
 static Status note_rupture(Record *record, Error *error) {
   Status status = STATUS_OK;
-  const Simulation *s = record->simulation;
-  RecordData *data = &record->data;
-  HistoryRow row;
+  const Membrane *membrane = record->simulation->membrane;
+  const double *d = membrane_points_view(membrane).d;
   Shape shape;
-  TRY(record_row(record, &row, &shape, error));
-  record_peak(record, data->rupture_X, data->rupture_x);
-  double arm[3];
-  vec3_subtract(data->rupture_x, shape.center, arm);
-  const double length = vec3_norm(arm);
-  const double *vorticity = simulation_is_inflation(s) ? shape.e3 : s->flow.vorticity_axis;
-  data->rupture_to_vorticity = DEGREES * acos(fmin(fabs(vec3_dot(arm, vorticity)) / length, 1));
-  data->rupture_to_major = DEGREES * acos(fmin(fabs(vec3_dot(arm, shape.e1)) / length, 1));
-  const MembranePoints points = membrane_points_view(s->membrane);
-  double area = 0, damaged = 0;
-  for (int k = 0; k < membrane_points(s->membrane); k++) {
-    area += points.dS0[k];
-    if (points.d[k] > 0) damaged += points.dS0[k];
-  }
-  data->rupture_area = damaged / area;
+  TRY(record_shape(record, &shape, error));
+  record->data.rupture = record_site(record, &shape, membrane_largest(membrane, d));
+  record->data.rupture_area = membrane_damaged_area(membrane, d);
 cleanup:
   return status;
 }
@@ -280,9 +284,9 @@ Status record_events(Record *record, Error *error) {
   Status status = STATUS_OK;
   RecordData *data = &record->data;
   const double d = largest_damage(record); /* at t1 */
-  if (isnan(data->t_c) && d > 0) TRY(locate(record, 0, &data->t_c, error));
+  if (isnan(data->t_c) && d > 0) TRY(record_locate(record, is_damaged, NULL, &data->t_c, error));
   if (isnan(data->t_l) && d >= 1) {
-    TRY(locate(record, 1, &data->t_l, error));
+    TRY(record_locate(record, is_ruptured, NULL, &data->t_l, error));
     TRY(note_rupture(record, error));
   }
 cleanup:
@@ -293,6 +297,7 @@ Status record_advance(Record *record, Error *error) {
   Status status = STATUS_OK;
   RecordData *data = &record->data;
   const Simulation *s = record->simulation;
+  TRY(criteria_advance(record, error));
   TRY(record_probe(record, record->t1, error));
   const double h = record->t1 - s->motion->t;
   const Energies energy = energies(record);
@@ -346,11 +351,8 @@ Status record_summary(Record *record, Summary *summary, Error *error) {
     summary->tension_scale = s->scene->flow.shear_modulus.value;
   }
   record_peak(record, summary->d_max_location.X, summary->d_max_location.x);
-  memcpy(summary->rupture.X, data->rupture_X, sizeof data->rupture_X);
-  memcpy(summary->rupture.x, data->rupture_x, sizeof data->rupture_x);
-  summary->rupture.angle_to_vorticity_deg = data->rupture_to_vorticity;
-  summary->rupture.angle_to_major_axis_deg = data->rupture_to_major;
-  summary->rupture.damaged_area_fraction = data->rupture_area;
+  summary->rupture = data->rupture;
+  summary->damaged_area_fraction = data->rupture_area;
 cleanup:
   return status;
 }

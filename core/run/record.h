@@ -9,6 +9,7 @@
 #include "observe/history.h"
 #include "observe/shape.h"
 #include "observe/summary.h"
+#include "run/criteria.h"
 #include "run/simulation.h"
 
 /* Everything here is a double, so that a restart keeps it as one array. */
@@ -20,15 +21,17 @@ typedef struct {
   double energy_scale;     /* the largest of work and energy spent so far: what the error of the balance is
                               relative to */
   double power_slope;      /* divided difference of the power over the last step */
-  double rupture_X[3], rupture_x[3], rupture_to_vorticity, rupture_to_major, rupture_area;
+  Site rupture;            /* once t_l is known */
+  double rupture_area;
   double steady_since; /* start of the time over which rates stayed below stop.steady; NAN: not now */
   double sample_t, sample_D12, sample_d_max; /* of the last sample */
   double wall_seconds;                       /* of earlier processes of this run */
 } RecordData;
 
-typedef struct {
+struct Record {
   Simulation *simulation;
   RecordData data;
+  Criteria criteria;
   double probed_t;     /* time of the membrane's trial state; NAN: not in the proposed step */
   double *x, *v, *R;   /* [n_nodes][3] at the probed time */
   double *R0;          /* [n_nodes][3] at the accepted time */
@@ -37,7 +40,7 @@ typedef struct {
   double *T1, *T2;     /* [n_points] scratch */
   double *area_vector; /* [n_nodes][3] scratch of an inflation, NULL otherwise */
   double t1;           /* end of the proposed step */
-} Record;
+};
 
 Status record_new(Record *record, Simulation *simulation, Error *error);
 void record_free(Record *record);
@@ -53,6 +56,17 @@ Status record_probe(Record *record, double t, Error *error);
 
 /* One row at the probed time. */
 Status record_row(Record *record, HistoryRow *row, Shape *shape, Error *error);
+
+/* The shape at the probed time; for an inflation the vorticity axis is taken as e_y. */
+Status record_shape(const Record *record, Shape *shape, Error *error);
+
+/* Where integration point k is at the probed time, which has this shape. */
+Site record_site(const Record *record, const Shape *shape, int k);
+
+/* The first time in the proposed step at which `happened` says so, found by bisection between its ends (it
+ * does at t1); the probe is left there. */
+typedef Status RecordTest(Record *record, const void *context, bool *happened, Error *error);
+Status record_locate(Record *record, RecordTest *happened, const void *context, double *t, Error *error);
 
 /* First damage and rupture inside the proposed step, located on the dense output; sets t_c, t_l when they
  * occur. */

@@ -1,5 +1,6 @@
 #include "run/run.h"
 
+#include "base/array.h"
 #include "base/file.h"
 #include "base/log.h"
 #include "base/timer.h"
@@ -104,6 +105,8 @@ static void log_parts(Run *run) {
            s->material.shear_modulus, s->material.dilatation_modulus);
   log_note(&run->log, "elastic law %s", s->material.elastic.file);
   if (material_has_damage(&s->material)) log_note(&run->log, "damage law %s", s->material.damage.file);
+  for (size_t i = 0; i < s->n_criteria; i++)
+    log_note(&run->log, "observing law %s", s->criterion[i].damage.file);
   for (size_t i = 0; i < s->n_skipped; i++) log_note(&run->log, "skipped: %s", s->skipped[i]);
 }
 
@@ -199,13 +202,31 @@ cleanup:
 
 /* ---- ending ---- */
 
+static Status write_criteria(const Run *run, const Verdict *verdicts, Error *error) {
+  Status status = STATUS_OK;
+  Text path = {0};
+  TRY(file_join(&path, run->output.folder, "criteria.csv", error));
+  TRY(verdicts_write(verdicts, run->simulation.n_criteria, path.data, error));
+cleanup:
+  text_free(&path);
+  return status;
+}
+
 static Status write_summary(Run *run, Error *error) {
   Status status = STATUS_OK;
   Text path = {0};
+  Verdict *verdicts = NULL;
   Summary summary;
   const Motion *motion = run->simulation.motion;
   TRY(record_probe(&run->record, motion->t, error));
   TRY(record_summary(&run->record, &summary, error));
+  if (run->simulation.n_criteria > 0) {
+    TRY(ARRAY_NEW(&verdicts, run->simulation.n_criteria, error));
+    TRY(criteria_verdicts(&run->record, verdicts, error));
+    TRY(write_criteria(run, verdicts, error));
+    summary.criteria = verdicts;
+    summary.n_criteria = run->simulation.n_criteria;
+  }
   summary.status = run->outcome;
   summary.steps = motion->steps(motion);
   summary.rejected_steps = motion->rejected(motion);
@@ -215,6 +236,7 @@ static Status write_summary(Run *run, Error *error) {
   TRY(file_join(&path, run->output.folder, "summary.json", error));
   TRY(summary_write(&summary, path.data, error));
 cleanup:
+  array_free(verdicts);
   text_free(&path);
   return status;
 }

@@ -52,6 +52,21 @@ cleanup:
   return status;
 }
 
+static Status load_criteria(Simulation *s, const LawSearch *search, Log *log, Error *error) {
+  Status status = STATUS_OK;
+  SceneCriterion *criteria = s->scene->observe.criteria;
+  const size_t n = s->scene->observe.n_criteria;
+  if (n > 0) TRY(ARRAY_NEW(&s->criterion, n, error));
+  for (; s->n_criteria < n; s->n_criteria++) {
+    Material *criterion = &s->criterion[s->n_criteria];
+    SceneLaw *law = &criteria[s->n_criteria].law;
+    TRY(material_criterion(criterion, s->scene, law, search, &s->scales, log, error));
+    TRY(keep_opened_path(law, &criterion->damage, error));
+  }
+cleanup:
+  return status;
+}
+
 static Status load_laws(Simulation *s, Log *log, Error *error) {
   Status status = STATUS_OK;
   LawSearch search = {0};
@@ -61,6 +76,7 @@ static Status load_laws(Simulation *s, Log *log, Error *error) {
   TRY(material_new(&s->material, s->scene, &search, &s->scales, log, error));
   TRY(keep_opened_path(&s->scene->membrane.elastic, &s->material.elastic, error));
   TRY(keep_opened_path(&s->scene->membrane.damage, &s->material.damage, error));
+  TRY(load_criteria(s, &search, log, error));
   if (!material_has_damage(&s->material)) skip(s, "damage: the scene names no damage law");
 cleanup:
   text_free(&folder);
@@ -149,6 +165,8 @@ void simulation_free(Simulation *s) {
   membrane_free(s->membrane);
   symmetry_free(&s->symmetry);
   mesh_free(&s->mesh);
+  for (size_t i = 0; i < s->n_criteria; i++) material_free(&s->criterion[i]);
+  array_free(s->criterion);
   material_free(&s->material);
   *s = (Simulation){0};
 }

@@ -21,6 +21,8 @@ typedef struct {
   Scene *scene; /* outlives the simulation; capillary_number is filled in when the scene is physical */
   LawScales scales;
   Material material;
+  Material *criterion; /* [n_criteria] laws that look on, in the order of the scene */
+  size_t n_criteria;
   Mesh mesh;
   Symmetry symmetry; /* of mesh, flow and laws */
   Membrane *membrane;

@@ -2,9 +2,11 @@
 # A run that is killed or interrupted goes on from its newest snapshot to the same bits.
 . "$(dirname "$0")/common.sh"
 
-# "$@" -o FOLDER is the run of this test.
+# "$@" -o FOLDER is the run of this test: with a law of the membrane and with laws that look on, one of which
+# finds rupture on the way.
 set -- "$capsella" run "$root/configs/shear_quick.yaml" --quiet --threads 1 \
-  --set output.snapshot_every=0.1 --set time.end=0.6
+  --set output.snapshot_every=0.1 --set time.end=0.6 --set "observe.criteria=[
+    {law: marigo, parameters: {Y_D: 0.001, Y_C: 0.02}}, {law: creep, parameters: {T_R: 0.5, tau: 1}}]"
 
 "$@" -o whole
 grep -q '"status": "end"' whole/summary.json || fail "the uninterrupted run did not end"
@@ -27,6 +29,8 @@ same whole/history.csv killed/history.csv "history after two kills"
 without_cost whole/summary.json >a
 without_cost killed/summary.json >b
 same a b "summary after two kills"
+same whole/criteria.csv killed/criteria.csv "criteria after two kills"
+grep -q '^marigo,marigo,ruptured,' whole/criteria.csv || fail "no rupture to keep: $(cat whole/criteria.csv)"
 
 # Interrupted: stops by itself with a snapshot, exit code 0, status interrupted.
 "$@" -o stopped &

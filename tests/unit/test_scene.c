@@ -51,6 +51,7 @@ START_TEST(every_key_lands_in_the_scene) {
                 "flow: {kind: linear, capillary_number: 0.3, gradient: [[0, 0, 2], [0, 0, 0], [1, 0, 0]]}\n"
                 "time: {end: 3, integrator: rkc2, step: 0.01, tolerance: 1e-6, allow_unstable: true}\n"
                 "stop: {rupture: continue, steady: 1e-5}\n"
+                "observe: {criteria: [{law: rankine, parameters: {T_D: 1}}, {name: b, law: ./x.so#y.z}]}\n"
                 "accuracy: draft\n"
                 "symmetry: off\n"
                 "fluid: {method: direct, remove_flux: false}\n"
@@ -76,6 +77,13 @@ START_TEST(every_key_lands_in_the_scene) {
   ck_assert(s.membrane.damage.parameters[0].value.has_unit);
   ck_assert_int_eq(s.membrane.damage.parameters[0].value.dim[2], 1);
   ck_assert(s.membrane.d_max == 0.9);
+  ck_assert_uint_eq(s.observe.n_criteria, 2);
+  ck_assert_str_eq(s.observe.criteria[0].name, "rankine");
+  ck_assert_str_eq(s.observe.criteria[0].law.parameters[0].name, "T_D");
+  ck_assert_int_eq(s.observe.criteria[0].law.place.line, 14);
+  ck_assert_str_eq(s.observe.criteria[1].name, "b");
+  ck_assert_str_eq(s.observe.criteria[1].law.law, "./x.so#y.z");
+  ck_assert_uint_eq(s.observe.criteria[1].law.n_parameters, 0);
   ck_assert_int_eq(s.membrane.mass_solver, MASS_UMFPACK);
   ck_assert_int_eq(s.flow.kind, FLOW_LINEAR);
   ck_assert_int_eq(s.flow.place.line, 11);
@@ -374,6 +382,23 @@ START_TEST(quantities_and_parameters_that_make_no_sense_are_refused) {
 }
 END_TEST
 
+#define CRITERIA(list) MEMBRANE SHEAR END "observe:\n  criteria: " list "\n"
+
+START_TEST(criteria_that_make_no_sense_are_refused) {
+  static const BadScene table[] = {
+      {CRITERIA("marigo"), "scene.yaml:10:13:", "a list of mappings"},
+      {CRITERIA("[marigo]"), "scene.yaml:10:14:", "found `marigo`"},
+      {CRITERIA("[{name: a}]"), "scene.yaml:10:14:", "expected a `law` in `observe.criteria`, found none"},
+      {CRITERIA("[{law: a, d_max: 1}]"), "scene.yaml:10:23:", "found `d_max`"},
+      {CRITERIA("[{law: a, parameters: {T: x}}]"), "scene.yaml:10:39:", "expected a number, found `x`"},
+      {CRITERIA("[{law: ./a.so}]"), "scene.yaml:10:14:", "expected a `name`"},
+      {CRITERIA("[{law: a, name: \"a,b\"}]"), "scene.yaml:10:29:", "found `a,b`"},
+      {CRITERIA("[{law: a}, {law: a}]"), "scene.yaml:10:24:", "found `a` twice"},
+  };
+  EXPECT_ALL_REFUSED(table);
+}
+END_TEST
+
 START_TEST(a_missing_scene_file_is_wrong_input) {
   Scene scene;
   Error error;
@@ -444,6 +469,8 @@ START_TEST(resolved_scenes_read_back_to_the_same_bits) {
       MEMBRANE SHEAR END "name: \"a: #b \\\" \\\\ \\t\\n {c} \\u00e9\"\n",
       "schema: 1\nmembrane: {law: \"/a b/c.so\"}\n" SHEAR END "name: \"~\"\n",
       "schema: 1\nmembrane: {law: ./x-1.so}\n" SHEAR END "name: \"- 1\"\n",
+      MEMBRANE SHEAR END
+      "observe: {criteria: [{law: a, parameters: {b: 0.1 N/m}}, {name: -1, law: \"./d e.so\"}]}\n",
   };
   for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
     Scene scene = read_good(texts[i], NULL);
@@ -493,7 +520,8 @@ START_TEST(the_scenes_that_ship_are_read) {
 END_TEST
 
 START_TEST(a_failed_allocation_anywhere_is_an_error_and_leaks_nothing) {
-  const char *text = MEMBRANE "  damage: {law: marigo, parameters: {Y_D: 0.2}}\n" SHEAR END;
+  const char *text = MEMBRANE "  damage: {law: marigo, parameters: {Y_D: 0.2}}\n" SHEAR END
+                              "observe: {criteria: [{law: a, parameters: {b: 1}}, {name: c, law: ./d.so}]}\n";
   const char *set = "flow.capillary_number=0.8";
   Error error;
   Status status = STATUS_MEMORY;
@@ -514,18 +542,24 @@ START_TEST(a_failed_allocation_anywhere_is_an_error_and_leaks_nothing) {
 END_TEST
 
 int main(void) {
-  return suite_run(
-      "scene",
-      (SuiteTests){every_key_lands_in_the_scene, a_short_scene_gets_the_documented_defaults,
-                   accuracy_sets_method_and_tolerance_unless_they_are_given,
-                   gradients_of_the_named_flows_are_those_of_their_formulas,
-                   an_inflation_has_a_path_and_no_capillary_number, physical_values_are_kept_in_si_units,
-                   typing_follows_the_schema_not_the_spelling, unknown_keys_are_refused_with_the_nearest_name,
-                   missing_keys_are_named_with_the_mapping_that_lacks_them,
-                   keys_that_exclude_each_other_are_refused, wrong_types_are_refused,
-                   values_out_of_range_are_refused, gradients_and_paths_that_make_no_sense_are_refused,
-                   quantities_and_parameters_that_make_no_sense_are_refused,
-                   a_missing_scene_file_is_wrong_input, resolved_scenes_read_back_to_the_same_bits,
-                   the_scenes_that_ship_are_read, a_failed_allocation_anywhere_is_an_error_and_leaks_nothing,
-                   NULL});
+  return suite_run("scene", (SuiteTests){every_key_lands_in_the_scene,
+                                         a_short_scene_gets_the_documented_defaults,
+                                         accuracy_sets_method_and_tolerance_unless_they_are_given,
+                                         gradients_of_the_named_flows_are_those_of_their_formulas,
+                                         an_inflation_has_a_path_and_no_capillary_number,
+                                         physical_values_are_kept_in_si_units,
+                                         typing_follows_the_schema_not_the_spelling,
+                                         unknown_keys_are_refused_with_the_nearest_name,
+                                         missing_keys_are_named_with_the_mapping_that_lacks_them,
+                                         keys_that_exclude_each_other_are_refused,
+                                         wrong_types_are_refused,
+                                         values_out_of_range_are_refused,
+                                         gradients_and_paths_that_make_no_sense_are_refused,
+                                         quantities_and_parameters_that_make_no_sense_are_refused,
+                                         criteria_that_make_no_sense_are_refused,
+                                         a_missing_scene_file_is_wrong_input,
+                                         resolved_scenes_read_back_to_the_same_bits,
+                                         the_scenes_that_ship_are_read,
+                                         a_failed_allocation_anywhere_is_an_error_and_leaks_nothing,
+                                         NULL});
 }
