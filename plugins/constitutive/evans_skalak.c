@@ -1,36 +1,20 @@
 /* Evans and Skalak's law: area and shape store energy apart, for the membranes of cells (Evans & Skalak
- * 1980).
- *
- *     phi = K_s/2 (J - 1)^2 + G_s/2 [(I1 + 2)/J - 2],   J = l1 l2 = sqrt(1 + I2)
- *     T1  = K_s (J - 1) + G_s/2 (1/l2^2 - 1/l1^2)
- *
- * Red cells have K_s of order 10^4 to 10^5 G_s: such stiff values ask for very short steps. */
-#include <math.h>
-#include <mlaw/mlaw.h>
+ * 1980). */
+#include <mlaw/brief.h>
+
+static const char about[] =
+    "    phi = K_s/2 (J - 1)^2 + G_s/2 [(I1 + 2)/J - 2],   J = l1 l2 = sqrt(1 + I2)\n"
+    "    T1  = K_s (J - 1) + G_s/2 (1/l2^2 - 1/l1^2)\n"
+    "\n"
+    "Red cells have K_s of order 10^4 to 10^5 G_s: such stiff values ask for very short steps.\n";
 
 enum { G_S, K_S, N_PARAMS };
 
 static const mlaw_param params[N_PARAMS] = {
-    [G_S] = {.name = "G_s",
-             .unit = "N/m",
-             .about = "surface shear modulus at small strain",
-             .dim = {1, 0, -2},
-             .flags = MLAW_OPEN_LO,
-             .value = 1.0,
-             .lo = 0.0,
-             .hi = INFINITY,
-             .ok_lo = 0.0,
-             .ok_hi = INFINITY},
-    [K_S] = {.name = "K_s",
-             .unit = "N/m",
-             .about = "area dilatation modulus; 3 G_s for a sheet of an incompressible solid",
-             .dim = {1, 0, -2},
-             .flags = MLAW_OPEN_LO,
-             .value = 3.0,
-             .lo = 0.0,
-             .hi = INFINITY,
-             .ok_lo = 0.0,
-             .ok_hi = INFINITY},
+    [G_S] = {MLAW_TENSION("G_s", "surface shear modulus at small strain"), .flags = MLAW_OPEN_LO,
+             .value = 1.0, MLAW_RANGE(0.0, INFINITY)},
+    [K_S] = {MLAW_TENSION("K_s", "area dilatation modulus; 3 G_s for a sheet of an incompressible solid"),
+             .flags = MLAW_OPEN_LO, .value = 3.0, MLAW_RANGE(0.0, INFINITY)},
 };
 
 static int eval(const mlaw_energy_args *a) {
@@ -76,22 +60,7 @@ static const mlaw_energy law = {
     .n_params = N_PARAMS,
     .param_size = sizeof(mlaw_param),
     .eval = eval,
+    .about = about,
 };
 
-static const mlaw_energy *const laws[] = {&law};
-
-static const mlaw_plugin plugin = {
-    .size = sizeof(mlaw_plugin),
-    .abi_minor = MLAW_ABI_MINOR,
-    .id = "evans_skalak",
-    .version = "1.0",
-    .license = "MIT",
-    .author = "the Capsella authors",
-    .n_energy = 1,
-    .energy = laws,
-};
-
-const mlaw_plugin *mlaw_plugin_v1(uint32_t host_minor) {
-  (void)host_minor;
-  return &plugin;
-}
+MLAW_ENERGY_PLUGIN(law, "evans_skalak", "1.0", "MIT", "the Capsella authors")

@@ -1,34 +1,20 @@
 /* Fung's exponential law: a thin sheet of an incompressible soft tissue (Fung 1967; isotropic form of
- * Demiray 1972).
- *
- *     phi = G_s/(2 b) [exp(b x) - 1],   x = l1^2 + l2^2 + 1/(l1 l2)^2 - 3 = I1 - I2/(1 + I2)
- *
- * K_s = 3 G_s.  b = 0 is `neo_hookean`.  A stretch whose energy has no finite value is outside the domain. */
-#include <float.h>
-#include <math.h>
-#include <mlaw/mlaw.h>
+ * Demiray 1972). */
+#include <mlaw/brief.h>
+
+static const char about[] =
+    "    phi = G_s/(2 b) [exp(b x) - 1],   x = l1^2 + l2^2 + 1/(l1 l2)^2 - 3 = I1 - I2/(1 + I2)\n"
+    "    K_s = 3 G_s\n"
+    "\n"
+    "b = 0 is `neo_hookean`.  A stretch whose energy has no finite value is outside the domain.\n";
 
 enum { G_S, B, N_PARAMS };
 
 static const mlaw_param params[N_PARAMS] = {
-    [G_S] = {.name = "G_s",
-             .unit = "N/m",
-             .about = "surface shear modulus at small strain",
-             .dim = {1, 0, -2},
-             .flags = MLAW_OPEN_LO,
-             .value = 1.0,
-             .lo = 0.0,
-             .hi = INFINITY,
-             .ok_lo = 0.0,
-             .ok_hi = INFINITY},
-    [B] = {.name = "b",
-           .unit = "1",
-           .about = "rate of hardening; 0: neo-Hookean",
-           .value = 1.0,
-           .lo = 0.0,
-           .hi = INFINITY,
-           .ok_lo = 0.0,
-           .ok_hi = 20.0},
+    [G_S] = {MLAW_TENSION("G_s", "surface shear modulus at small strain"), .flags = MLAW_OPEN_LO,
+             .value = 1.0, MLAW_RANGE(0.0, INFINITY)},
+    [B] = {MLAW_NUMBER("b", "rate of hardening; 0: neo-Hookean"), .value = 1.0, MLAW_WITHIN(0.0, INFINITY),
+           MLAW_FITTED(0.0, 20.0)},
 };
 
 /* exp(500) = 1e217 leaves room for the factors of the second derivatives. */
@@ -88,22 +74,7 @@ static const mlaw_energy law = {
     .n_params = N_PARAMS,
     .param_size = sizeof(mlaw_param),
     .eval = eval,
+    .about = about,
 };
 
-static const mlaw_energy *const laws[] = {&law};
-
-static const mlaw_plugin plugin = {
-    .size = sizeof(mlaw_plugin),
-    .abi_minor = MLAW_ABI_MINOR,
-    .id = "fung",
-    .version = "1.0",
-    .license = "MIT",
-    .author = "the Capsella authors",
-    .n_energy = 1,
-    .energy = laws,
-};
-
-const mlaw_plugin *mlaw_plugin_v1(uint32_t host_minor) {
-  (void)host_minor;
-  return &plugin;
-}
+MLAW_ENERGY_PLUGIN(law, "fung", "1.0", "MIT", "the Capsella authors")

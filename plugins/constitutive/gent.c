@@ -1,35 +1,22 @@
-/* Gent's law: a thin sheet of an incompressible solid whose chains cannot be stretched beyond a limit
- * (Gent 1996).
- *
- *     phi = -G_s/2 J_m ln(1 - x/J_m),   x = l1^2 + l2^2 + 1/(l1 l2)^2 - 3 = I1 - I2/(1 + I2) < J_m
- *
- * K_s = 3 G_s.  J_m without bound is `neo_hookean`.  A point at or beyond the limit is outside the domain. */
-#include <math.h>
-#include <mlaw/mlaw.h>
+/* Gent's law: a thin sheet of an incompressible solid whose chains cannot be stretched beyond a limit (Gent
+ * 1996). */
+#include <mlaw/brief.h>
+
+static const char about[] =
+    "    phi = -G_s/2 J_m ln(1 - x/J_m),   x = l1^2 + l2^2 + 1/(l1 l2)^2 - 3 = I1 - I2/(1 + I2) < J_m\n"
+    "    K_s = 3 G_s\n"
+    "\n"
+    "J_m without bound is `neo_hookean`.  A point at or beyond the limit is outside the domain.\n";
 
 enum { G_S, J_M, N_PARAMS };
 
 static const mlaw_param params[N_PARAMS] = {
-    [G_S] = {.name = "G_s",
-             .unit = "N/m",
-             .about = "surface shear modulus at small strain",
-             .dim = {1, 0, -2},
-             .flags = MLAW_OPEN_LO,
-             .value = 1.0,
-             .lo = 0.0,
-             .hi = INFINITY,
-             .ok_lo = 0.0,
-             .ok_hi = INFINITY},
-    [J_M] = {.name = "J_m",
-             .unit = "1",
-             .about =
-                 "limit of l1^2 + l2^2 + 1/(l1 l2)^2 - 3: rubbers 30 to 100, walls of arteries 0.4 to 2.3",
-             .flags = MLAW_OPEN_LO,
-             .value = 50.0,
-             .lo = 0.0,
-             .hi = INFINITY,
-             .ok_lo = 0.4,
-             .ok_hi = 120.0},
+    [G_S] = {MLAW_TENSION("G_s", "surface shear modulus at small strain"), .flags = MLAW_OPEN_LO,
+             .value = 1.0, MLAW_RANGE(0.0, INFINITY)},
+    [J_M] = {MLAW_NUMBER(
+                 "J_m",
+                 "limit of l1^2 + l2^2 + 1/(l1 l2)^2 - 3: rubbers 30 to 100, walls of arteries 0.4 to 2.3"),
+             .flags = MLAW_OPEN_LO, .value = 50.0, MLAW_WITHIN(0.0, INFINITY), MLAW_FITTED(0.4, 120.0)},
 };
 
 static inline double extension(double I1, double I2) {
@@ -84,22 +71,7 @@ static const mlaw_energy law = {
     .n_params = N_PARAMS,
     .param_size = sizeof(mlaw_param),
     .eval = eval,
+    .about = about,
 };
 
-static const mlaw_energy *const laws[] = {&law};
-
-static const mlaw_plugin plugin = {
-    .size = sizeof(mlaw_plugin),
-    .abi_minor = MLAW_ABI_MINOR,
-    .id = "gent",
-    .version = "1.0",
-    .license = "MIT",
-    .author = "the Capsella authors",
-    .n_energy = 1,
-    .energy = laws,
-};
-
-const mlaw_plugin *mlaw_plugin_v1(uint32_t host_minor) {
-  (void)host_minor;
-  return &plugin;
-}
+MLAW_ENERGY_PLUGIN(law, "gent", "1.0", "MIT", "the Capsella authors")

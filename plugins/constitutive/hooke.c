@@ -1,37 +1,24 @@
-/* Generalised Hooke's law: tensions linear in the Green-Lagrange strain e_i = (l_i^2 - 1)/2
- * (Barthes-Biesel, Diaz & Dhenin 2002).
- *
- *     T1 = G_s/(1 - nu_s) (l1/l2) [l1^2 - 1 + nu_s (l2^2 - 1)]
- *     phi = G_s/4 [I1^2/(1 - nu_s) + 2 (I1 - I2)]
- *
- * K_s = (1 + nu_s)/(1 - nu_s) G_s; nu_s = 1/2 is a thin sheet of an incompressible solid at small strain.
- * It hardens under strain, and softens in compression: beyond l = 1/sqrt(3) a uniaxial force falls.
- * st_venant_kirchhoff is the same energy with K_s in place of nu_s. */
-#include <math.h>
-#include <mlaw/mlaw.h>
+/* Generalised Hooke's law: tensions linear in the Green-Lagrange strain e_i = (l_i^2 - 1)/2 (Barthes-Biesel,
+ * Diaz & Dhenin 2002). */
+#include <mlaw/brief.h>
+
+static const char about[] =
+    "    phi = G_s/4 [I1^2/(1 - nu_s) + 2 (I1 - I2)]\n"
+    "    T1  = G_s/(1 - nu_s) (l1/l2) [l1^2 - 1 + nu_s (l2^2 - 1)]\n"
+    "    K_s = (1 + nu_s)/(1 - nu_s) G_s\n"
+    "\n"
+    "nu_s = 1/2 is a thin sheet of an incompressible solid at small strain.  The law hardens under\n"
+    "strain, and softens in compression: below l = 1/sqrt(3) a uniaxial force falls.\n"
+    "`st_venant_kirchhoff` is the same energy with K_s in place of nu_s.\n";
 
 enum { G_S, NU_S, N_PARAMS };
 
 static const mlaw_param params[N_PARAMS] = {
-    [G_S] = {.name = "G_s",
-             .unit = "N/m",
-             .about = "surface shear modulus at small strain",
-             .dim = {1, 0, -2},
-             .flags = MLAW_OPEN_LO,
-             .value = 1.0,
-             .lo = 0.0,
-             .hi = INFINITY,
-             .ok_lo = 0.0,
-             .ok_hi = INFINITY},
-    [NU_S] = {.name = "nu_s",
-              .unit = "1",
-              .about = "surface Poisson ratio; K_s = (1 + nu_s)/(1 - nu_s) G_s",
-              .flags = MLAW_OPEN_LO | MLAW_OPEN_HI,
-              .value = 0.5,
-              .lo = -1.0,
-              .hi = 1.0,
-              .ok_lo = -0.5,
-              .ok_hi = 0.9},
+    [G_S] = {MLAW_TENSION("G_s", "surface shear modulus at small strain"), .flags = MLAW_OPEN_LO,
+             .value = 1.0, MLAW_RANGE(0.0, INFINITY)},
+    [NU_S] = {MLAW_NUMBER("nu_s", "surface Poisson ratio; K_s = (1 + nu_s)/(1 - nu_s) G_s"),
+              .flags = MLAW_OPEN_LO | MLAW_OPEN_HI, .value = 0.5, MLAW_WITHIN(-1.0, 1.0),
+              MLAW_FITTED(-0.5, 0.9)},
 };
 
 static int eval(const mlaw_energy_args *a) {
@@ -72,22 +59,7 @@ static const mlaw_energy law = {
     .n_params = N_PARAMS,
     .param_size = sizeof(mlaw_param),
     .eval = eval,
+    .about = about,
 };
 
-static const mlaw_energy *const laws[] = {&law};
-
-static const mlaw_plugin plugin = {
-    .size = sizeof(mlaw_plugin),
-    .abi_minor = MLAW_ABI_MINOR,
-    .id = "hooke",
-    .version = "1.0",
-    .license = "MIT",
-    .author = "the Capsella authors",
-    .n_energy = 1,
-    .energy = laws,
-};
-
-const mlaw_plugin *mlaw_plugin_v1(uint32_t host_minor) {
-  (void)host_minor;
-  return &plugin;
-}
+MLAW_ENERGY_PLUGIN(law, "hooke", "1.0", "MIT", "the Capsella authors")

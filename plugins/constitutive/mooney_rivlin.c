@@ -1,35 +1,22 @@
 /* Mooney-Rivlin law: a thin sheet of an incompressible Mooney-Rivlin solid (Mooney 1940, Rivlin 1948; as a
- * membrane Barthes-Biesel, Diaz & Dhenin 2002).
- *
- *     phi = G_s/2 {Psi (I1 - u I2) + (1 - Psi) [I2 + u (I1 - 2 I2)]},   u = 1/(1 + I2)
- *     T1  = G_s/(l1 l2) [l1^2 - 1/(l1 l2)^2] [Psi + (1 - Psi) l2^2]
- *
- * K_s = 3 G_s.  Psi = 1 is `neo_hookean`; the smaller Psi, the harder it is under equal stretches and the
- * softer when pulled one way. */
-#include <math.h>
-#include <mlaw/mlaw.h>
+ * membrane Barthes-Biesel, Diaz & Dhenin 2002). */
+#include <mlaw/brief.h>
+
+static const char about[] =
+    "    phi = G_s/2 {Psi (I1 - u I2) + (1 - Psi) [I2 + u (I1 - 2 I2)]},   u = 1/(1 + I2)\n"
+    "    T1  = G_s/(l1 l2) [l1^2 - 1/(l1 l2)^2] [Psi + (1 - Psi) l2^2]\n"
+    "    K_s = 3 G_s\n"
+    "\n"
+    "Psi = 1 is `neo_hookean`; the smaller Psi, the harder it is under equal stretches and the softer\n"
+    "when pulled one way.\n";
 
 enum { G_S, PSI, N_PARAMS };
 
 static const mlaw_param params[N_PARAMS] = {
-    [G_S] = {.name = "G_s",
-             .unit = "N/m",
-             .about = "surface shear modulus at small strain",
-             .dim = {1, 0, -2},
-             .flags = MLAW_OPEN_LO,
-             .value = 1.0,
-             .lo = 0.0,
-             .hi = INFINITY,
-             .ok_lo = 0.0,
-             .ok_hi = INFINITY},
-    [PSI] = {.name = "Psi",
-             .unit = "1",
-             .about = "share of the first invariant in the shear modulus; 1: neo-Hookean",
-             .value = 0.5,
-             .lo = 0.0,
-             .hi = 1.0,
-             .ok_lo = 0.0,
-             .ok_hi = 1.0},
+    [G_S] = {MLAW_TENSION("G_s", "surface shear modulus at small strain"), .flags = MLAW_OPEN_LO,
+             .value = 1.0, MLAW_RANGE(0.0, INFINITY)},
+    [PSI] = {MLAW_NUMBER("Psi", "share of the first invariant in the shear modulus; 1: neo-Hookean"),
+             .value = 0.5, MLAW_RANGE(0.0, 1.0)},
 };
 
 static int eval(const mlaw_energy_args *a) {
@@ -77,22 +64,7 @@ static const mlaw_energy law = {
     .n_params = N_PARAMS,
     .param_size = sizeof(mlaw_param),
     .eval = eval,
+    .about = about,
 };
 
-static const mlaw_energy *const laws[] = {&law};
-
-static const mlaw_plugin plugin = {
-    .size = sizeof(mlaw_plugin),
-    .abi_minor = MLAW_ABI_MINOR,
-    .id = "mooney_rivlin",
-    .version = "1.0",
-    .license = "MIT",
-    .author = "the Capsella authors",
-    .n_energy = 1,
-    .energy = laws,
-};
-
-const mlaw_plugin *mlaw_plugin_v1(uint32_t host_minor) {
-  (void)host_minor;
-  return &plugin;
-}
+MLAW_ENERGY_PLUGIN(law, "mooney_rivlin", "1.0", "MIT", "the Capsella authors")

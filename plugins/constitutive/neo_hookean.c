@@ -1,25 +1,19 @@
 /* Neo-Hookean law: a thin sheet of an incompressible neo-Hookean solid (Barthes-Biesel, Diaz & Dhenin 2002).
- *
- *     phi = G_s/2 (I1 - 1 + 1/(1 + I2))
- *
- * written as I1 - I2/(1 + I2), which keeps its digits near rest.  K_s = 3 G_s.  It softens under large area
- * dilation. */
-#include <math.h>
-#include <mlaw/mlaw.h>
+ */
+#include <mlaw/brief.h>
+
+static const char about[] =
+    "    phi = G_s/2 (I1 - 1 + 1/(1 + I2))\n"
+    "    T1  = G_s/(l1 l2) [l1^2 - 1/(l1 l2)^2]\n"
+    "    K_s = 3 G_s\n"
+    "\n"
+    "A thin sheet of an incompressible neo-Hookean solid.  It softens under large area dilation.\n";
 
 enum { G_S, N_PARAMS };
 
 static const mlaw_param params[N_PARAMS] = {
-    [G_S] = {.name = "G_s",
-             .unit = "N/m",
-             .about = "surface shear modulus at small strain",
-             .dim = {1, 0, -2},
-             .flags = MLAW_OPEN_LO,
-             .value = 1.0,
-             .lo = 0.0,
-             .hi = INFINITY,
-             .ok_lo = 0.0,
-             .ok_hi = INFINITY},
+    [G_S] = {MLAW_TENSION("G_s", "surface shear modulus at small strain"), .flags = MLAW_OPEN_LO,
+             .value = 1.0, MLAW_RANGE(0.0, INFINITY)},
 };
 
 static int eval(const mlaw_energy_args *a) {
@@ -61,22 +55,7 @@ static const mlaw_energy law = {
     .n_params = N_PARAMS,
     .param_size = sizeof(mlaw_param),
     .eval = eval,
+    .about = about,
 };
 
-static const mlaw_energy *const laws[] = {&law};
-
-static const mlaw_plugin plugin = {
-    .size = sizeof(mlaw_plugin),
-    .abi_minor = MLAW_ABI_MINOR,
-    .id = "neo_hookean",
-    .version = "1.0",
-    .license = "MIT",
-    .author = "the Capsella authors",
-    .n_energy = 1,
-    .energy = laws,
-};
-
-const mlaw_plugin *mlaw_plugin_v1(uint32_t host_minor) {
-  (void)host_minor;
-  return &plugin;
-}
+MLAW_ENERGY_PLUGIN(law, "neo_hookean", "1.0", "MIT", "the Capsella authors")

@@ -1,33 +1,18 @@
-/* Skalak's law: a network that resists area change apart from shear (Skalak et al. 1973).
- *
- *     phi = G_s/4 (I1^2 + 2 I1 - 2 I2 + C I2^2)
- *
- * K_s = (1 + 2C) G_s.  It hardens under strain; C about 1 for capsules, far above 1 for cells. */
-#include <math.h>
-#include <mlaw/mlaw.h>
+/* Skalak's law: a network that resists area change apart from shear (Skalak et al. 1973). */
+#include <mlaw/brief.h>
+
+static const char about[] = "    phi = G_s/4 (I1^2 + 2 I1 - 2 I2 + C I2^2)\n"
+                            "    K_s = (1 + 2C) G_s\n"
+                            "\n"
+                            "It hardens under strain; C about 1 for capsules, far above 1 for cells.\n";
 
 enum { G_S, C, N_PARAMS };
 
 static const mlaw_param params[N_PARAMS] = {
-    [G_S] = {.name = "G_s",
-             .unit = "N/m",
-             .about = "surface shear modulus at small strain",
-             .dim = {1, 0, -2},
-             .flags = MLAW_OPEN_LO,
-             .value = 1.0,
-             .lo = 0.0,
-             .hi = INFINITY,
-             .ok_lo = 0.0,
-             .ok_hi = INFINITY},
-    [C] = {.name = "C",
-           .unit = "1",
-           .about = "resistance to area change over resistance to shear; K_s = (1 + 2C) G_s",
-           .flags = MLAW_OPEN_LO,
-           .value = 1.0,
-           .lo = -0.5,
-           .hi = INFINITY,
-           .ok_lo = 0.0,
-           .ok_hi = 1e5},
+    [G_S] = {MLAW_TENSION("G_s", "surface shear modulus at small strain"), .flags = MLAW_OPEN_LO,
+             .value = 1.0, MLAW_RANGE(0.0, INFINITY)},
+    [C] = {MLAW_NUMBER("C", "resistance to area change over resistance to shear; K_s = (1 + 2C) G_s"),
+           .flags = MLAW_OPEN_LO, .value = 1.0, MLAW_WITHIN(-0.5, INFINITY), MLAW_FITTED(0.0, 1e5)},
 };
 
 static int eval(const mlaw_energy_args *a) {
@@ -69,22 +54,7 @@ static const mlaw_energy law = {
     .n_params = N_PARAMS,
     .param_size = sizeof(mlaw_param),
     .eval = eval,
+    .about = about,
 };
 
-static const mlaw_energy *const laws[] = {&law};
-
-static const mlaw_plugin plugin = {
-    .size = sizeof(mlaw_plugin),
-    .abi_minor = MLAW_ABI_MINOR,
-    .id = "skalak",
-    .version = "1.0",
-    .license = "MIT",
-    .author = "the Capsella authors",
-    .n_energy = 1,
-    .energy = laws,
-};
-
-const mlaw_plugin *mlaw_plugin_v1(uint32_t host_minor) {
-  (void)host_minor;
-  return &plugin;
-}
+MLAW_ENERGY_PLUGIN(law, "skalak", "1.0", "MIT", "the Capsella authors")

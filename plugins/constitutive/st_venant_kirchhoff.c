@@ -1,36 +1,23 @@
 /* St. Venant-Kirchhoff membrane: energy quadratic in the Green-Lagrange strain e, with a shear and an area
- * modulus.
- *
- *     phi = K_s/2 (tr e)^2 + G_s dev(e):dev(e) = (K_s + G_s)/8 I1^2 + G_s/2 (I1 - I2)
- *
- * It hardens under strain, and softens in compression: beyond l = 1/sqrt(3) a uniaxial force falls.  The same
- * energy as `hooke`, with K_s free: nu_s = (K_s - G_s)/(K_s + G_s). */
-#include <math.h>
-#include <mlaw/mlaw.h>
+ * modulus. */
+#include <mlaw/brief.h>
+
+static const char about[] =
+    "    phi = K_s/2 (tr e)^2 + G_s dev(e):dev(e) = (K_s + G_s)/8 I1^2 + G_s/2 (I1 - I2)\n"
+    "\n"
+    "e is the Green-Lagrange strain.  The law hardens under strain, and softens in compression: below\n"
+    "l = 1/sqrt(3) a uniaxial force falls.  The same energy as `hooke`, with K_s free: nu_s = (K_s -\n"
+    "G_s)/(K_s + G_s).\n";
 
 enum { G_S, K_S, N_PARAMS };
 
 static const mlaw_param params[N_PARAMS] = {
-    [G_S] = {.name = "G_s",
-             .unit = "N/m",
-             .about = "surface shear modulus at small strain",
-             .dim = {1, 0, -2},
-             .flags = MLAW_OPEN_LO,
-             .value = 1.0,
-             .lo = 0.0,
-             .hi = INFINITY,
-             .ok_lo = 0.0,
-             .ok_hi = INFINITY},
-    [K_S] = {.name = "K_s",
-             .unit = "N/m",
-             .about = "area dilatation modulus at small strain; 3 G_s for a sheet of an incompressible solid",
-             .dim = {1, 0, -2},
-             .flags = MLAW_OPEN_LO,
-             .value = 3.0,
-             .lo = 0.0,
-             .hi = INFINITY,
-             .ok_lo = 0.0,
-             .ok_hi = INFINITY},
+    [G_S] = {MLAW_TENSION("G_s", "surface shear modulus at small strain"), .flags = MLAW_OPEN_LO,
+             .value = 1.0, MLAW_RANGE(0.0, INFINITY)},
+    [K_S] = {MLAW_TENSION(
+                 "K_s",
+                 "area dilatation modulus at small strain; 3 G_s for a sheet of an incompressible solid"),
+             .flags = MLAW_OPEN_LO, .value = 3.0, MLAW_RANGE(0.0, INFINITY)},
 };
 
 static int eval(const mlaw_energy_args *a) {
@@ -72,22 +59,7 @@ static const mlaw_energy law = {
     .n_params = N_PARAMS,
     .param_size = sizeof(mlaw_param),
     .eval = eval,
+    .about = about,
 };
 
-static const mlaw_energy *const laws[] = {&law};
-
-static const mlaw_plugin plugin = {
-    .size = sizeof(mlaw_plugin),
-    .abi_minor = MLAW_ABI_MINOR,
-    .id = "st_venant_kirchhoff",
-    .version = "1.0",
-    .license = "MIT",
-    .author = "the Capsella authors",
-    .n_energy = 1,
-    .energy = laws,
-};
-
-const mlaw_plugin *mlaw_plugin_v1(uint32_t host_minor) {
-  (void)host_minor;
-  return &plugin;
-}
+MLAW_ENERGY_PLUGIN(law, "st_venant_kirchhoff", "1.0", "MIT", "the Capsella authors")

@@ -1,41 +1,21 @@
-/* Yeoh's law: a thin sheet of an incompressible solid whose energy is a cubic in x (Yeoh 1993).
- *
- *     phi = G_s/2 (x + c_2 x^2 + c_3 x^3),   x = l1^2 + l2^2 + 1/(l1 l2)^2 - 3 = I1 - I2/(1 + I2)
- *
- * K_s = 3 G_s.  c_2 = c_3 = 0 is `neo_hookean`.  A filled rubber has c_2 < 0 < c_3: it softens, then hardens.
- */
-#include <math.h>
-#include <mlaw/mlaw.h>
+/* Yeoh's law: a thin sheet of an incompressible solid whose energy is a cubic in x (Yeoh 1993). */
+#include <mlaw/brief.h>
+
+static const char about[] =
+    "    phi = G_s/2 (x + c_2 x^2 + c_3 x^3),   x = l1^2 + l2^2 + 1/(l1 l2)^2 - 3 = I1 - I2/(1 + I2)\n"
+    "    K_s = 3 G_s\n"
+    "\n"
+    "c_2 = c_3 = 0 is `neo_hookean`.  A filled rubber has c_2 < 0 < c_3: it softens, then hardens.\n";
 
 enum { G_S, C_2, C_3, N_PARAMS };
 
 static const mlaw_param params[N_PARAMS] = {
-    [G_S] = {.name = "G_s",
-             .unit = "N/m",
-             .about = "surface shear modulus at small strain",
-             .dim = {1, 0, -2},
-             .flags = MLAW_OPEN_LO,
-             .value = 1.0,
-             .lo = 0.0,
-             .hi = INFINITY,
-             .ok_lo = 0.0,
-             .ok_hi = INFINITY},
-    [C_2] = {.name = "c_2",
-             .unit = "1",
-             .about = "second coefficient over the first; negative: softening at moderate strain",
-             .value = 0.0,
-             .lo = -INFINITY,
-             .hi = INFINITY,
-             .ok_lo = -0.5,
-             .ok_hi = 1.0},
-    [C_3] = {.name = "c_3",
-             .unit = "1",
-             .about = "third coefficient over the first: hardening at large strain",
-             .value = 0.0,
-             .lo = 0.0,
-             .hi = INFINITY,
-             .ok_lo = 0.0,
-             .ok_hi = 1.0},
+    [G_S] = {MLAW_TENSION("G_s", "surface shear modulus at small strain"), .flags = MLAW_OPEN_LO,
+             .value = 1.0, MLAW_RANGE(0.0, INFINITY)},
+    [C_2] = {MLAW_NUMBER("c_2", "second coefficient over the first; negative: softening at moderate strain"),
+             .value = 0.0, MLAW_WITHIN(-INFINITY, INFINITY), MLAW_FITTED(-0.5, 1.0)},
+    [C_3] = {MLAW_NUMBER("c_3", "third coefficient over the first: hardening at large strain"), .value = 0.0,
+             MLAW_WITHIN(0.0, INFINITY), MLAW_FITTED(0.0, 1.0)},
 };
 
 /* Stable under any stretch: 1 + 2 c_2 x + 3 c_3 x^2 > 0 for all x >= 0. */
@@ -94,22 +74,7 @@ static const mlaw_energy law = {
     .param_size = sizeof(mlaw_param),
     .check = check,
     .eval = eval,
+    .about = about,
 };
 
-static const mlaw_energy *const laws[] = {&law};
-
-static const mlaw_plugin plugin = {
-    .size = sizeof(mlaw_plugin),
-    .abi_minor = MLAW_ABI_MINOR,
-    .id = "yeoh",
-    .version = "1.0",
-    .license = "MIT",
-    .author = "the Capsella authors",
-    .n_energy = 1,
-    .energy = laws,
-};
-
-const mlaw_plugin *mlaw_plugin_v1(uint32_t host_minor) {
-  (void)host_minor;
-  return &plugin;
-}
+MLAW_ENERGY_PLUGIN(law, "yeoh", "1.0", "MIT", "the Capsella authors")

@@ -1,64 +1,31 @@
-/* Creep damage of Kachanov (1958) and Rabotnov (1969): under a lasting tension damage grows with time.
- *
- *     drive      T1, the larger principal tension of the undamaged membrane; (1 - d) T1 is what it carries
- *     threshold  T_D: damage grows where T1 > T_D
- *     evolution  dd/dt = (<T1 - T_D>/T_R)^r (1 - d)^(r - k)/tau
- *
- * With T_D = 0 this is (sigma/T_R)^r (1 - d)^-k/tau for the carried tension sigma = (1 - d) T1: Kachanov's
- * law when k = r, with rupture at t = tau/(r + 1) (T_R/sigma)^r under constant sigma.  The step is the exact
- * solution with the rate factor held at its mean over the step: stable for any dt, of second order.
- * Not associated; dissipation Y dd/dt >= 0. */
-#include <float.h>
-#include <math.h>
-#include <mlaw/mlaw.h>
+/* Creep damage of Kachanov (1958) and Rabotnov (1969): under a lasting tension damage grows with time. */
+#include <mlaw/brief.h>
+
+static const char about[] =
+    "    drive      T1, the larger principal tension of the undamaged membrane\n"
+    "    threshold  damage grows where T1 > T_D\n"
+    "    evolution  dd/dt = (<T1 - T_D>/T_R)^r (1 - d)^(r - k)/tau\n"
+    "\n"
+    "With T_D = 0 this is (sigma/T_R)^r (1 - d)^-k/tau for the carried tension sigma = (1 - d) T1:\n"
+    "Kachanov's law when k = r, with rupture at t = tau/(r + 1) (T_R/sigma)^r under constant sigma.\n"
+    "The step is the exact solution with the rate factor held at its mean over the step: stable for\n"
+    "any dt, of second order.\n"
+    "\n"
+    "Not associated; dissipation Y dd/dt >= 0, since d never falls.\n";
 
 enum { T_R, R, K, TAU, T_D, N_PARAMS };
 
 static const mlaw_param params[N_PARAMS] = {
-    [T_R] = {.name = "T_R",
-             .unit = "N/m",
-             .about = "tension at which damage grows at the rate 1/tau",
-             .dim = {1, 0, -2},
-             .flags = MLAW_REQUIRED | MLAW_OPEN_LO,
-             .lo = 0.0,
-             .hi = INFINITY,
-             .ok_lo = 0.0,
-             .ok_hi = INFINITY},
-    [R] = {.name = "r",
-           .unit = "1",
-           .about = "exponent of tension",
-           .flags = MLAW_OPEN_LO,
-           .value = 4.0,
-           .lo = 0.0,
-           .hi = INFINITY,
-           .ok_lo = 1.0,
-           .ok_hi = 15.0},
-    [K] = {.name = "k",
-           .unit = "1",
-           .about = "exponent of what is left, 1 - d, under constant carried tension",
-           .value = 4.0,
-           .lo = 0.0,
-           .hi = INFINITY,
-           .ok_lo = 0.0,
-           .ok_hi = 20.0},
-    [TAU] = {.name = "tau",
-             .unit = "s",
-             .about = "time to full damage under a tension kept at T_R, when k = r",
-             .dim = {0, 0, 1},
-             .flags = MLAW_REQUIRED | MLAW_OPEN_LO,
-             .lo = 0.0,
-             .hi = INFINITY,
-             .ok_lo = 0.0,
-             .ok_hi = INFINITY},
-    [T_D] = {.name = "T_D",
-             .unit = "N/m",
-             .about = "tension that does no harm for ever",
-             .dim = {1, 0, -2},
-             .value = 0.0,
-             .lo = 0.0,
-             .hi = INFINITY,
-             .ok_lo = 0.0,
-             .ok_hi = INFINITY},
+    [T_R] = {MLAW_TENSION("T_R", "tension at which damage grows at the rate 1/tau"),
+             .flags = MLAW_REQUIRED | MLAW_OPEN_LO, MLAW_RANGE(0.0, INFINITY)},
+    [R] = {MLAW_NUMBER("r", "exponent of tension"), .flags = MLAW_OPEN_LO, .value = 4.0,
+           MLAW_WITHIN(0.0, INFINITY), MLAW_FITTED(1.0, 15.0)},
+    [K] = {MLAW_NUMBER("k", "exponent of what is left, 1 - d, under constant carried tension"), .value = 4.0,
+           MLAW_WITHIN(0.0, INFINITY), MLAW_FITTED(0.0, 20.0)},
+    [TAU] = {MLAW_TIME("tau", "time to full damage under a tension kept at T_R, when k = r"),
+             .flags = MLAW_REQUIRED | MLAW_OPEN_LO, MLAW_RANGE(0.0, INFINITY)},
+    [T_D] = {MLAW_TENSION("T_D", "tension that does no harm for ever"), .value = 0.0,
+             MLAW_RANGE(0.0, INFINITY)},
 };
 
 static inline double overload(double T, double t_d, double t_r, double r) {
@@ -99,22 +66,7 @@ static const mlaw_damage law = {
     .param_size = sizeof(mlaw_param),
     .needs = 1u << MLAW_T1,
     .update = update,
+    .about = about,
 };
 
-static const mlaw_damage *const laws[] = {&law};
-
-static const mlaw_plugin plugin = {
-    .size = sizeof(mlaw_plugin),
-    .abi_minor = MLAW_ABI_MINOR,
-    .id = "creep",
-    .version = "1.0",
-    .license = "MIT",
-    .author = "the Capsella authors",
-    .n_damage = 1,
-    .damage = laws,
-};
-
-const mlaw_plugin *mlaw_plugin_v1(uint32_t host_minor) {
-  (void)host_minor;
-  return &plugin;
-}
+MLAW_DAMAGE_PLUGIN(law, "creep", "1.0", "MIT", "the Capsella authors")

@@ -1,60 +1,33 @@
-/* Delayed damage: it follows `marigo` at a bounded rate (Ladeveze 1992; Allix & Deu 1997).
- *
- *     drive      Y, the energy release rate;   zeta(Y) = <Y - Y_D>/Y_C
- *     threshold  damage grows where zeta(Y) > d
- *     evolution  dd/dt = {1 - exp(-a <zeta(Y) - d>)}/tau_c <= 1/tau_c
- *
- * tau_c is the shortest time to full damage and a says how sharply the rate turns to its bound; tau_c -> 0 is
- * `marigo`.  The step is the exact solution with zeta held at its mean over the step: stable for any dt, of
- * second order.  Dissipation Y dd/dt >= 0. */
-#include <float.h>
-#include <math.h>
-#include <mlaw/mlaw.h>
+/* Delayed damage: it follows `marigo` at a bounded rate (Ladeveze 1992; Allix & Deu 1997). */
+#include <mlaw/brief.h>
+
+static const char about[] =
+    "    drive      Y, the energy release rate;   zeta(Y) = <Y - Y_D>/Y_C\n"
+    "    threshold  damage grows where zeta(Y) > d\n"
+    "    evolution  dd/dt = {1 - exp(-a <zeta(Y) - d>)}/tau_c <= 1/tau_c\n"
+    "\n"
+    "tau_c is the shortest time to full damage and a says how sharply the rate turns to its bound; as\n"
+    "tau_c goes to 0 this becomes `marigo`.  The step is the exact solution with zeta held at its mean\n"
+    "over the step: stable for any dt, of second order.\n"
+    "\n"
+    "Driven by Y, which is conjugate to d; dissipation Y dd/dt >= 0.\n";
 
 enum { Y_D, Y_C, TAU_C, A, N_PARAMS };
 
 static const mlaw_param params[N_PARAMS] = {
-    [Y_D] = {.name = "Y_D",
-             .unit = "N/m",
-             .about = "energy release rate at which damage starts",
-             .dim = {1, 0, -2},
-             .flags = MLAW_REQUIRED,
-             .lo = 0.0,
-             .hi = INFINITY,
-             .ok_lo = 0.0,
-             .ok_hi = INFINITY},
-    [Y_C] = {.name = "Y_C",
-             .unit = "N/m",
-             .about = "hardening modulus: rupture is the aim at Y_D + Y_C",
-             .dim = {1, 0, -2},
-             .flags = MLAW_REQUIRED,
-             .lo = 0.0,
-             .hi = INFINITY,
-             .ok_lo = 0.0,
-             .ok_hi = INFINITY},
-    [TAU_C] = {.name = "tau_c",
-               .unit = "s",
-               .about = "shortest time to full damage",
-               .dim = {0, 0, 1},
-               .flags = MLAW_REQUIRED | MLAW_OPEN_LO,
-               .lo = 0.0,
-               .hi = INFINITY,
-               .ok_lo = 0.0,
-               .ok_hi = INFINITY},
-    [A] = {.name = "a",
-           .unit = "1",
-           .about = "sharpness of the turn to the bounded rate",
-           .flags = MLAW_OPEN_LO,
-           .value = 1.0,
-           .lo = 0.0,
-           .hi = INFINITY,
-           .ok_lo = 0.1,
-           .ok_hi = 20.0},
+    [Y_D] = {MLAW_TENSION("Y_D", "energy release rate at which damage starts"), .flags = MLAW_REQUIRED,
+             MLAW_RANGE(0.0, INFINITY)},
+    [Y_C] = {MLAW_TENSION("Y_C", "hardening modulus: rupture is the aim at Y_D + Y_C"),
+             .flags = MLAW_REQUIRED, MLAW_RANGE(0.0, INFINITY)},
+    [TAU_C] = {MLAW_TIME("tau_c", "shortest time to full damage"), .flags = MLAW_REQUIRED | MLAW_OPEN_LO,
+               MLAW_RANGE(0.0, INFINITY)},
+    [A] = {MLAW_NUMBER("a", "sharpness of the turn to the bounded rate"), .flags = MLAW_OPEN_LO, .value = 1.0,
+           MLAW_WITHIN(0.0, INFINITY), MLAW_FITTED(0.1, 20.0)},
 };
 
-/* <Y - Y_D>/Y_C; in place of a Y_C of 0 a small number, so that 0/0 does not arise. */
+/* <Y - Y_D>/Y_C */
 static inline double target(double Y, double y_d, double y_c) {
-  return Y > y_d ? (Y - y_d) / (y_c > FLT_MIN ? y_c : FLT_MIN) : 0.0;
+  return Y > y_d ? (Y - y_d) / mlaw_not_zero(y_c) : 0.0;
 }
 
 /* What w = a (zeta - d) loses over s = a dt/tau_c: dw/ds = exp(-w) - 1, hence the first line.  The second
@@ -88,22 +61,7 @@ static const mlaw_damage law = {
     .param_size = sizeof(mlaw_param),
     .needs = 1u << MLAW_Y,
     .update = update,
+    .about = about,
 };
 
-static const mlaw_damage *const laws[] = {&law};
-
-static const mlaw_plugin plugin = {
-    .size = sizeof(mlaw_plugin),
-    .abi_minor = MLAW_ABI_MINOR,
-    .id = "delay",
-    .version = "1.0",
-    .license = "MIT",
-    .author = "the Capsella authors",
-    .n_damage = 1,
-    .damage = laws,
-};
-
-const mlaw_plugin *mlaw_plugin_v1(uint32_t host_minor) {
-  (void)host_minor;
-  return &plugin;
-}
+MLAW_DAMAGE_PLUGIN(law, "delay", "1.0", "MIT", "the Capsella authors")

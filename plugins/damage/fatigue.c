@@ -1,66 +1,37 @@
-/* Fatigue: every cycle of tension adds damage, by its range (Basquin 1910; Palmgren 1924; Miner 1945).
- *
- *     drive      T1, the larger principal tension of the undamaged membrane
- *     threshold  T_E, the endurance limit: cycles whose range is at most T_E do no harm
- *     evolution  each cycle adds D(range) = (<range - T_E>/T_F)^m: rupture after (T_F/(range - T_E))^m cycles
- *
- * Cycles are counted while they run.  A rise starts at a valley `low`; what it adds is D(T1 - low), hence
- * grows with T1 without jumps and is complete at the peak `high`.  A fall by more than T_E ends it and the
- * next rise starts at the lowest value that follows: smaller falls do not cut a rise in two (racetrack
- * filter; Fuchs, Nelson, Burke & Toomay 1973), hence T_E should exceed the noise of T1.  The first loading is
- * a cycle too. Independent of rate and of steps as long as they meet the turning points.  Not associated;
- * dissipation Y dd/dt >= 0. */
-#include <math.h>
-#include <mlaw/mlaw.h>
+/* Fatigue: every cycle of tension adds damage, by its range (Basquin 1910; Palmgren 1924; Miner 1945). */
+#include <mlaw/brief.h>
+
+static const char about[] =
+    "    drive      T1, the larger principal tension of the undamaged membrane\n"
+    "    threshold  T_E, the endurance limit: cycles whose range is at most T_E do no harm\n"
+    "    evolution  each cycle adds D(range) = (<range - T_E>/T_F)^m,\n"
+    "               hence rupture after (T_F/(range - T_E))^m cycles\n"
+    "\n"
+    "Cycles are counted while they run.  A rise starts at a valley `low`; what it adds is D(T1 - low),\n"
+    "hence grows with T1 without jumps and is complete at the peak `high`.  A fall by more than T_E\n"
+    "ends it and the next rise starts at the lowest value that follows: smaller falls do not cut a\n"
+    "rise in two (racetrack filter; Fuchs, Nelson, Burke & Toomay 1973), hence T_E should exceed the\n"
+    "noise of T1.  The first loading is a cycle too.  Independent of rate and of steps as long as they\n"
+    "meet the turning points.\n"
+    "\n"
+    "Not associated; dissipation Y dd/dt >= 0, since d never falls.\n";
 
 enum { T_E, T_F, M, N_PARAMS };
 enum { LOW, HIGH, CYCLES, N_VARS };
 
 static const mlaw_param params[N_PARAMS] = {
-    [T_E] = {.name = "T_E",
-             .unit = "N/m",
-             .about = "endurance limit: range of tension that does no harm",
-             .dim = {1, 0, -2},
-             .flags = MLAW_REQUIRED,
-             .lo = 0.0,
-             .hi = INFINITY,
-             .ok_lo = 0.0,
-             .ok_hi = INFINITY},
-    [T_F] = {.name = "T_F",
-             .unit = "N/m",
-             .about = "range beyond T_E of a cycle that breaks the membrane at once",
-             .dim = {1, 0, -2},
-             .flags = MLAW_REQUIRED | MLAW_OPEN_LO,
-             .lo = 0.0,
-             .hi = INFINITY,
-             .ok_lo = 0.0,
-             .ok_hi = INFINITY},
-    [M] = {.name = "m",
-           .unit = "1",
-           .about = "exponent of the range",
-           .flags = MLAW_OPEN_LO,
-           .value = 3.0,
-           .lo = 0.0,
-           .hi = INFINITY,
-           .ok_lo = 1.0,
-           .ok_hi = 15.0},
+    [T_E] = {MLAW_TENSION("T_E", "endurance limit: range of tension that does no harm"),
+             .flags = MLAW_REQUIRED, MLAW_RANGE(0.0, INFINITY)},
+    [T_F] = {MLAW_TENSION("T_F", "range beyond T_E of a cycle that breaks the membrane at once"),
+             .flags = MLAW_REQUIRED | MLAW_OPEN_LO, MLAW_RANGE(0.0, INFINITY)},
+    [M] = {MLAW_NUMBER("m", "exponent of the range"), .flags = MLAW_OPEN_LO, .value = 3.0,
+           MLAW_WITHIN(0.0, INFINITY), MLAW_FITTED(1.0, 15.0)},
 };
 
 static const mlaw_var vars[N_VARS] = {
-    [LOW] = {.name = "low",
-             .unit = "N/m",
-             .about = "tension at which the present rise started",
-             .dim = {1, 0, -2},
-             .init = 0.0},
-    [HIGH] = {.name = "high",
-              .unit = "N/m",
-              .about = "largest tension of the present rise",
-              .dim = {1, 0, -2},
-              .init = 0.0},
-    [CYCLES] = {.name = "cycles",
-                .unit = "1",
-                .about = "rises beyond the endurance limit so far",
-                .init = 0.0},
+    [LOW] = {MLAW_TENSION("low", "tension at which the present rise started"), .init = 0.0},
+    [HIGH] = {MLAW_TENSION("high", "largest tension of the present rise"), .init = 0.0},
+    [CYCLES] = {MLAW_NUMBER("cycles", "rises beyond the endurance limit so far"), .init = 0.0},
 };
 
 /* Damage of a cycle of this range, at most all. */
@@ -105,22 +76,7 @@ static const mlaw_damage law = {
     .var_size = sizeof(mlaw_var),
     .needs = 1u << MLAW_T1,
     .update = update,
+    .about = about,
 };
 
-static const mlaw_damage *const laws[] = {&law};
-
-static const mlaw_plugin plugin = {
-    .size = sizeof(mlaw_plugin),
-    .abi_minor = MLAW_ABI_MINOR,
-    .id = "fatigue",
-    .version = "1.0",
-    .license = "MIT",
-    .author = "the Capsella authors",
-    .n_damage = 1,
-    .damage = laws,
-};
-
-const mlaw_plugin *mlaw_plugin_v1(uint32_t host_minor) {
-  (void)host_minor;
-  return &plugin;
-}
+MLAW_DAMAGE_PLUGIN(law, "fatigue", "1.0", "MIT", "the Capsella authors")

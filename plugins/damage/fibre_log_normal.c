@@ -1,90 +1,48 @@
 /* Damage as the share of broken fibres in a bundle (Grandmaison et al. 2021, section 6.1) whose strengths,
- * energy release rates at which a fibre breaks, are of a log-normal distribution.
- *
- *     drive      Y, the energy release rate
- *     threshold  f(Y; d) = P_f(Y) - d <= 0
- *     evolution  zeta(Y) = P_f(Y) = Phi(ln(x)/s), x = <Y - Y_D>/Y_50, and 1 once this reaches d_c
- *
- * The distribution has no last fibre: when a share d_c is broken the rest cannot carry the load (Daniels
- * 1945).  Phi is the normal distribution.  Y_50 = 0 is the brittle limit.  Associated law; dissipation Y
- * dd/dt >= 0. */
-#include <float.h>
-#include <math.h>
-#include <mlaw/mlaw.h>
+ * energy release rates at which a fibre breaks, are of a log-normal distribution. */
+#include <mlaw/brief.h>
+
+static const char about[] =
+    "    drive      Y, the energy release rate\n"
+    "    threshold  f(Y; d) = P_f(Y) - d <= 0\n"
+    "    evolution  zeta(Y) = P_f(Y) = Phi(ln(x)/s), x = <Y - Y_D>/Y_50, and 1 once this reaches d_c\n"
+    "\n"
+    "P_f is the share of fibres whose strength, the energy release rate at which a fibre breaks, is\n"
+    "below Y.  The distribution has no last fibre: when a share d_c is broken the rest cannot carry\n"
+    "the load (Daniels 1945).  Phi is the normal distribution.  Y_50 = 0 is the brittle limit.\n"
+    "\n"
+    "Associated; dissipation Y dd/dt >= 0.\n";
 
 enum { Y_D, Y_50, S, D_C, N_PARAMS };
 
 static const mlaw_param params[N_PARAMS] = {
-    [Y_D] = {.name = "Y_D",
-             .unit = "N/m",
-             .about = "energy release rate below which every fibre is sound",
-             .dim = {1, 0, -2},
-             .value = 0.0,
-             .lo = 0.0,
-             .hi = INFINITY,
-             .ok_lo = 0.0,
-             .ok_hi = INFINITY},
-    [Y_50] = {.name = "Y_50",
-              .unit = "N/m",
-              .about = "median strength beyond Y_D",
-              .dim = {1, 0, -2},
-              .flags = MLAW_REQUIRED,
-              .lo = 0.0,
-              .hi = INFINITY,
-              .ok_lo = 0.0,
-              .ok_hi = INFINITY},
-    [S] = {.name = "s",
-           .unit = "1",
-           .about = "standard deviation of the logarithm of the strength",
-           .flags = MLAW_REQUIRED | MLAW_OPEN_LO,
-           .lo = 0.0,
-           .hi = INFINITY,
-           .ok_lo = 0.05,
-           .ok_hi = 2.0},
-    [D_C] = {.name = "d_c",
-             .unit = "1",
-             .about = "share at which the rest breaks at once; 1: never",
-             .flags = MLAW_OPEN_LO,
-             .value = 0.99,
-             .lo = 0.0,
-             .hi = 1.0,
-             .ok_lo = 0.2,
-             .ok_hi = 1.0},
+    [Y_D] = {MLAW_TENSION("Y_D", "energy release rate below which every fibre is sound"), .value = 0.0,
+             MLAW_RANGE(0.0, INFINITY)},
+    [Y_50] = {MLAW_TENSION("Y_50", "median strength beyond Y_D"), .flags = MLAW_REQUIRED,
+              MLAW_RANGE(0.0, INFINITY)},
+    [S] = {MLAW_NUMBER("s", "standard deviation of the logarithm of the strength"),
+           .flags = MLAW_REQUIRED | MLAW_OPEN_LO, MLAW_WITHIN(0.0, INFINITY), MLAW_FITTED(0.05, 2.0)},
+    [D_C] = {MLAW_NUMBER("d_c", "share at which the rest breaks at once; 1: never"), .flags = MLAW_OPEN_LO,
+             .value = 0.99, MLAW_WITHIN(0.0, 1.0), MLAW_FITTED(0.2, 1.0)},
 };
 
-/* Share of broken fibres at x > 0, and its slope. */
-typedef struct {
-  double broken, density;
-} Share;
-
-static inline Share log_normal(double x, double s) {
-  const double z = log(x) / s, root_2 = 1.4142135623730951, root_2_pi = 2.5066282746310002;
-  return (Share){0.5 * erfc(-z / root_2), exp(-0.5 * z * z) / (x * s * root_2_pi)};
-}
+static const double ROOT_2 = 1.4142135623730951, ROOT_2_PI = 2.5066282746310002;
 
 /* The rest breaks at the share d_c.  Below Y_D the share goes on as x < 0, so that f is negative there. */
-static void evolve(const mlaw_damage_args *a, double *restrict zeta, double *restrict dzeta) {
-  const double *Y = a->chan[MLAW_Y];
-  const mlaw_field y_d = a->param[Y_D], spread = a->param[Y_50], shape = a->param[S], d_c = a->param[D_C];
-  for (ptrdiff_t i = 0; i < (ptrdiff_t)a->n; i++) {
-    const double scale = mlaw_at(spread, i) > FLT_MIN ? mlaw_at(spread, i) : FLT_MIN;
-    const double x = (Y[i] - mlaw_at(y_d, i)) / scale;
-    Share share = x > 0.0 ? log_normal(x, mlaw_at(shape, i)) : (Share){x, 1.0};
-    if (share.broken >= mlaw_at(d_c, i)) share = (Share){1.0, 0.0};
-    zeta[i] = share.broken;
-    if (dzeta) dzeta[i] = share.density / scale;
-  }
+static mlaw_curve curve(const mlaw_damage_args *a, ptrdiff_t i) {
+  const double s = mlaw_at(a->param[S], i), scale = mlaw_not_zero(mlaw_at(a->param[Y_50], i));
+  const double x = (a->chan[MLAW_Y][i] - mlaw_at(a->param[Y_D], i)) / scale;
+  const double z = x > 0.0 ? log(x) / s : 0.0, broken = x > 0.0 ? 0.5 * erfc(-z / ROOT_2) : x;
+  if (broken >= mlaw_at(a->param[D_C], i)) return (mlaw_curve){1.0, 0.0};
+  return (mlaw_curve){broken, (x > 0.0 ? exp(-0.5 * z * z) / (x * s * ROOT_2_PI) : 1.0) / scale};
 }
 
 static int threshold(const mlaw_damage_args *a) {
-  evolve(a, a->f, NULL);
-  for (ptrdiff_t i = 0; i < (ptrdiff_t)a->n; i++) a->f[i] -= a->d0[i];
-  return MLAW_OK;
+  return mlaw_curve_threshold(a, curve);
 }
 
 static int evolution(const mlaw_damage_args *a) {
-  evolve(a, a->zeta, a->dzeta);
-  return MLAW_OK;
+  return mlaw_curve_evolution(a, curve);
 }
 
 static const mlaw_damage law = {
@@ -98,22 +56,7 @@ static const mlaw_damage law = {
     .needs = 1u << MLAW_Y,
     .threshold = threshold,
     .evolution = evolution,
+    .about = about,
 };
 
-static const mlaw_damage *const laws[] = {&law};
-
-static const mlaw_plugin plugin = {
-    .size = sizeof(mlaw_plugin),
-    .abi_minor = MLAW_ABI_MINOR,
-    .id = "fibre_log_normal",
-    .version = "1.0",
-    .license = "MIT",
-    .author = "the Capsella authors",
-    .n_damage = 1,
-    .damage = laws,
-};
-
-const mlaw_plugin *mlaw_plugin_v1(uint32_t host_minor) {
-  (void)host_minor;
-  return &plugin;
-}
+MLAW_DAMAGE_PLUGIN(law, "fibre_log_normal", "1.0", "MIT", "the Capsella authors")

@@ -1,65 +1,33 @@
 /* Damage as the share of broken fibres in a bundle whose strength is known from a sample: least, quartiles
- * and greatest (Grandmaison et al. 2021, section 6.1, with a tabulated distribution).
- *
- *     drive      Y, the energy release rate
- *     threshold  f(Y; d) = P_f(Y) - d <= 0
- *     evolution  zeta(Y) = P_f(Y), linear from 0 at Y_0 to 1/4 at Y_25, 1/2 at Y_50, 3/4 at Y_75 and 1 at
- * Y_100
- *
- * Five values at equal distances are `marigo` with Y_D = Y_0 and Y_C = Y_100 - Y_0; two that coincide are a
- * jump.  Associated law; dissipation Y dd/dt >= 0. */
-#include <float.h>
-#include <math.h>
-#include <mlaw/mlaw.h>
+ * and greatest (Grandmaison et al. 2021, section 6.1, with a tabulated distribution). */
+#include <mlaw/brief.h>
+
+static const char about[] =
+    "    drive      Y, the energy release rate\n"
+    "    threshold  f(Y; d) = P_f(Y) - d <= 0\n"
+    "    evolution  zeta(Y) = P_f(Y) is piecewise linear:\n"
+    "               0 at Y_0, 1/4 at Y_25, 1/2 at Y_50, 3/4 at Y_75, 1 at Y_100\n"
+    "\n"
+    "P_f is the share of fibres whose strength, the energy release rate at which a fibre breaks, is\n"
+    "below Y.  Five values at equal distances are `marigo` with Y_D = Y_0 and Y_C = Y_100 - Y_0; two\n"
+    "that coincide are a jump.\n"
+    "\n"
+    "Associated; dissipation Y dd/dt >= 0.\n";
 
 enum { Y_0, Y_25, Y_50, Y_75, Y_100, N_PARAMS };
 
 static const mlaw_param params[N_PARAMS] = {
-    [Y_0] = {.name = "Y_0",
-             .unit = "N/m",
-             .about = "strength: energy release rate at which the first fibre breaks",
-             .dim = {1, 0, -2},
-             .flags = MLAW_REQUIRED,
-             .lo = 0.0,
-             .hi = INFINITY,
-             .ok_lo = 0.0,
-             .ok_hi = INFINITY},
-    [Y_25] = {.name = "Y_25",
-              .unit = "N/m",
-              .about = "strength: energy release rate at which a quarter of the fibres are broken",
-              .dim = {1, 0, -2},
-              .flags = MLAW_REQUIRED,
-              .lo = 0.0,
-              .hi = INFINITY,
-              .ok_lo = 0.0,
-              .ok_hi = INFINITY},
-    [Y_50] = {.name = "Y_50",
-              .unit = "N/m",
-              .about = "strength: energy release rate at which half of the fibres are broken",
-              .dim = {1, 0, -2},
-              .flags = MLAW_REQUIRED,
-              .lo = 0.0,
-              .hi = INFINITY,
-              .ok_lo = 0.0,
-              .ok_hi = INFINITY},
-    [Y_75] = {.name = "Y_75",
-              .unit = "N/m",
-              .about = "strength: energy release rate at which three quarters are broken",
-              .dim = {1, 0, -2},
-              .flags = MLAW_REQUIRED,
-              .lo = 0.0,
-              .hi = INFINITY,
-              .ok_lo = 0.0,
-              .ok_hi = INFINITY},
-    [Y_100] = {.name = "Y_100",
-               .unit = "N/m",
-               .about = "strength: energy release rate at which the last fibre breaks",
-               .dim = {1, 0, -2},
-               .flags = MLAW_REQUIRED,
-               .lo = 0.0,
-               .hi = INFINITY,
-               .ok_lo = 0.0,
-               .ok_hi = INFINITY},
+    [Y_0] = {MLAW_TENSION("Y_0", "strength: energy release rate at which the first fibre breaks"),
+             .flags = MLAW_REQUIRED, MLAW_RANGE(0.0, INFINITY)},
+    [Y_25] = {MLAW_TENSION("Y_25",
+                           "strength: energy release rate at which a quarter of the fibres are broken"),
+              .flags = MLAW_REQUIRED, MLAW_RANGE(0.0, INFINITY)},
+    [Y_50] = {MLAW_TENSION("Y_50", "strength: energy release rate at which half of the fibres are broken"),
+              .flags = MLAW_REQUIRED, MLAW_RANGE(0.0, INFINITY)},
+    [Y_75] = {MLAW_TENSION("Y_75", "strength: energy release rate at which three quarters are broken"),
+              .flags = MLAW_REQUIRED, MLAW_RANGE(0.0, INFINITY)},
+    [Y_100] = {MLAW_TENSION("Y_100", "strength: energy release rate at which the last fibre breaks"),
+               .flags = MLAW_REQUIRED, MLAW_RANGE(0.0, INFINITY)},
 };
 
 static int check(const double *param, mlaw_error *err) {
@@ -69,39 +37,26 @@ static int check(const double *param, mlaw_error *err) {
   return MLAW_OK;
 }
 
-/* Adds quarter k of the distribution to the share of broken fibres.  The first goes on below Y_0, where the
- * share is negative and f with it. */
-static inline void add_quarter(const mlaw_damage_args *a, int k, double *restrict zeta,
-                               double *restrict dzeta) {
-  const double *Y = a->chan[MLAW_Y];
-  const mlaw_field from = a->param[k], to = a->param[k + 1];
-  for (ptrdiff_t i = 0; i < (ptrdiff_t)a->n; i++) {
-    const double distance = mlaw_at(to, i) - mlaw_at(from, i);
-    const double width = distance > FLT_MIN ? distance : FLT_MIN;
-    const double x = (Y[i] - mlaw_at(from, i)) / width;
+/* Adds up the quarters of the distribution.  The first goes on below Y_0, where the share is negative and f
+ * with it. */
+static mlaw_curve curve(const mlaw_damage_args *a, ptrdiff_t i) {
+  mlaw_curve at = {0.0, 0.0};
+  for (int k = Y_0; k < Y_100; k++) {
+    const double from = mlaw_at(a->param[k], i), width = mlaw_not_zero(mlaw_at(a->param[k + 1], i) - from);
+    const double x = (a->chan[MLAW_Y][i] - from) / width;
     const int flat = x > 1.0 || (x < 0.0 && k > Y_0);
-    zeta[i] += 0.25 * (x > 1.0 ? 1.0 : flat ? 0.0 : x);
-    if (dzeta && !flat) dzeta[i] += 0.25 / width;
+    at.zeta += 0.25 * (x > 1.0 ? 1.0 : flat ? 0.0 : x);
+    if (!flat) at.slope += 0.25 / width;
   }
-}
-
-static int evolve(const mlaw_damage_args *a, double *zeta, double *dzeta) {
-  for (ptrdiff_t i = 0; i < (ptrdiff_t)a->n; i++) {
-    zeta[i] = 0.0;
-    if (dzeta) dzeta[i] = 0.0;
-  }
-  for (int k = Y_0; k < Y_100; k++) add_quarter(a, k, zeta, dzeta);
-  return MLAW_OK;
-}
-
-static int evolution(const mlaw_damage_args *a) {
-  return evolve(a, a->zeta, a->dzeta);
+  return at;
 }
 
 static int threshold(const mlaw_damage_args *a) {
-  evolve(a, a->f, NULL);
-  for (ptrdiff_t i = 0; i < (ptrdiff_t)a->n; i++) a->f[i] -= a->d0[i];
-  return MLAW_OK;
+  return mlaw_curve_threshold(a, curve);
+}
+
+static int evolution(const mlaw_damage_args *a) {
+  return mlaw_curve_evolution(a, curve);
 }
 
 static const mlaw_damage law = {
@@ -116,22 +71,7 @@ static const mlaw_damage law = {
     .check = check,
     .threshold = threshold,
     .evolution = evolution,
+    .about = about,
 };
 
-static const mlaw_damage *const laws[] = {&law};
-
-static const mlaw_plugin plugin = {
-    .size = sizeof(mlaw_plugin),
-    .abi_minor = MLAW_ABI_MINOR,
-    .id = "fibre_quartiles",
-    .version = "1.0",
-    .license = "MIT",
-    .author = "the Capsella authors",
-    .n_damage = 1,
-    .damage = laws,
-};
-
-const mlaw_plugin *mlaw_plugin_v1(uint32_t host_minor) {
-  (void)host_minor;
-  return &plugin;
-}
+MLAW_DAMAGE_PLUGIN(law, "fibre_quartiles", "1.0", "MIT", "the Capsella authors")

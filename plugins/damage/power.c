@@ -1,50 +1,30 @@
-/* Brittle damage whose hardening is a power of damage; m = 1 is `marigo` (Marigo 1981).
- *
- *     drive      Y, the energy release rate
- *     threshold  f(Y; d) = Y - kappa(d) <= 0,   kappa(d) = Y_D + Y_C d^m
- *     evolution  zeta(Y) = <(Y - Y_D)/Y_C>^(1/m)
- *
- * Full damage at Y_D + Y_C, for any m: with m > 1 damage starts fast and ends slowly, with m < 1 it ends
- * fast. Associated law; dissipation Y dd/dt >= 0.  Y_C = 0 is the brittle limit. */
-#include <float.h>
-#include <math.h>
-#include <mlaw/mlaw.h>
+/* Brittle damage whose hardening is a power of damage; m = 1 is `marigo` (Marigo 1981). */
+#include <mlaw/brief.h>
+
+static const char about[] =
+    "    drive      Y, the energy release rate\n"
+    "    threshold  f(Y; d) = Y - kappa(d) <= 0,   kappa(d) = Y_D + Y_C d^m\n"
+    "    evolution  zeta(Y) = <(Y - Y_D)/Y_C>^(1/m)\n"
+    "\n"
+    "Full damage at Y_D + Y_C, for any m: with m > 1 damage starts fast and ends slowly, with m < 1 it\n"
+    "ends fast.  m = 1 is `marigo`.  Y_C = 0 is the brittle limit.\n"
+    "\n"
+    "Associated; dissipation Y dd/dt >= 0.\n";
 
 enum { Y_D, Y_C, M, N_PARAMS };
 
 static const mlaw_param params[N_PARAMS] = {
-    [Y_D] = {.name = "Y_D",
-             .unit = "N/m",
-             .about = "energy release rate at which damage starts",
-             .dim = {1, 0, -2},
-             .flags = MLAW_REQUIRED,
-             .lo = 0.0,
-             .hi = INFINITY,
-             .ok_lo = 0.0,
-             .ok_hi = INFINITY},
-    [Y_C] = {.name = "Y_C",
-             .unit = "N/m",
-             .about = "hardening modulus: rupture at Y_D + Y_C",
-             .dim = {1, 0, -2},
-             .flags = MLAW_REQUIRED,
-             .lo = 0.0,
-             .hi = INFINITY,
-             .ok_lo = 0.0,
-             .ok_hi = INFINITY},
-    [M] = {.name = "m",
-           .unit = "1",
-           .about = "exponent of hardening; 1: linear",
-           .flags = MLAW_OPEN_LO,
-           .value = 1.0,
-           .lo = 0.0,
-           .hi = INFINITY,
-           .ok_lo = 0.2,
-           .ok_hi = 5.0},
+    [Y_D] = {MLAW_TENSION("Y_D", "energy release rate at which damage starts"), .flags = MLAW_REQUIRED,
+             MLAW_RANGE(0.0, INFINITY)},
+    [Y_C] = {MLAW_TENSION("Y_C", "hardening modulus: rupture at Y_D + Y_C"), .flags = MLAW_REQUIRED,
+             MLAW_RANGE(0.0, INFINITY)},
+    [M] = {MLAW_NUMBER("m", "exponent of hardening; 1: linear"), .flags = MLAW_OPEN_LO, .value = 1.0,
+           MLAW_WITHIN(0.0, INFINITY), MLAW_FITTED(0.2, 5.0)},
 };
 
 /* (Y - Y_D)/Y_C between 0 and 1, where the law has its curve. */
 static inline double progress(double Y, double y_d, double y_c) {
-  const double x = (Y - y_d) / (y_c > FLT_MIN ? y_c : FLT_MIN);
+  const double x = (Y - y_d) / mlaw_not_zero(y_c);
   return x < 0.0 ? 0.0 : x < 1.0 ? x : 1.0;
 }
 
@@ -85,22 +65,7 @@ static const mlaw_damage law = {
     .needs = 1u << MLAW_Y,
     .threshold = threshold,
     .evolution = evolution,
+    .about = about,
 };
 
-static const mlaw_damage *const laws[] = {&law};
-
-static const mlaw_plugin plugin = {
-    .size = sizeof(mlaw_plugin),
-    .abi_minor = MLAW_ABI_MINOR,
-    .id = "power",
-    .version = "1.0",
-    .license = "MIT",
-    .author = "the Capsella authors",
-    .n_damage = 1,
-    .damage = laws,
-};
-
-const mlaw_plugin *mlaw_plugin_v1(uint32_t host_minor) {
-  (void)host_minor;
-  return &plugin;
-}
+MLAW_DAMAGE_PLUGIN(law, "power", "1.0", "MIT", "the Capsella authors")

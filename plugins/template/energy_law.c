@@ -1,4 +1,4 @@
-/* A law of the membrane's elasticity, to start from: rename it, write your phi, and build it with
+/* A law of the membrane's elasticity, to start from: put your phi in place of this one, and build it with
  *
  *     make check                         or, by hand,
  *     cc -std=c11 -O2 -fPIC -fvisibility=hidden -shared -I. -o newlaw.so newlaw.c -lm
@@ -7,34 +7,24 @@
  * A scene takes it with `law: ./newlaw.so`, or `law: acme.newlaw` once the file lies in a folder of
  * MLAW_PLUGIN_PATH.  This one is a neo-Hookean sheet that resists area change by an extra modulus.  The text
  * is C11 and C++20. */
-#include <math.h>
-#include <mlaw/mlaw.h>
+#include <mlaw/brief.h> /* shorthand for mlaw.h, which says what a law must do */
+
+static const char about[] = /* equations begin with four blanks */
+    "    phi = G_s/2 (I1 - I2/(1 + I2)) + A/8 I2^2\n"
+    "    K_s = 3 G_s + A\n"
+    "\n"
+    "Say here what the law is good for and how it behaves.\n";
 
 /* The parameters, by the place they have in the table and in a->param. */
 enum { G_S, A, N_PARAMS };
 
-/* In the order of the enum: name, SI unit, meaning, powers of mass, length and time, default, hard range,
- * range of calibration. */
+/* In the order of the enum: symbol and meaning (the macro gives the unit), default or MLAW_REQUIRED, the
+ * range that is allowed, and the one in which the law was fitted or tested. */
 static const mlaw_param params[N_PARAMS] = {
-    {.name = "G_s",
-     .unit = "N/m",
-     .about = "surface shear modulus at small strain",
-     .dim = {1, 0, -2},
-     .flags = MLAW_OPEN_LO, /* 0 itself is refused */
-     .value = 1.0,
-     .lo = 0.0,
-     .hi = INFINITY,
-     .ok_lo = 0.0,
-     .ok_hi = INFINITY},
-    {.name = "A",
-     .unit = "N/m",
-     .about = "resistance to area change beyond that of the neo-Hookean sheet",
-     .dim = {1, 0, -2},
-     .value = 0.0,
-     .lo = 0.0,
-     .hi = INFINITY,
-     .ok_lo = 0.0,
-     .ok_hi = 100.0},
+    {MLAW_TENSION("G_s", "surface shear modulus at small strain"), .flags = MLAW_OPEN_LO, .value = 1.0,
+     MLAW_RANGE(0.0, INFINITY)},
+    {MLAW_TENSION("A", "resistance to area change beyond that of the neo-Hookean sheet"), .value = 0.0,
+     MLAW_WITHIN(0.0, INFINITY), MLAW_FITTED(0.0, 100.0)},
 };
 
 /* One plain loop for each output that is asked for: compilers turn these into vector code. */
@@ -68,12 +58,6 @@ static int eval(const mlaw_energy_args *a) {
   return MLAW_OK; /* or: return mlaw_fail(a->err, MLAW_DOMAIN, i, "why point i is beyond this law"); */
 }
 
-static const char about[] = /* equations begin with four blanks */
-    "    phi = G_s/2 (I1 - I2/(1 + I2)) + A/8 I2^2\n"
-    "    K_s = 3 G_s + A\n"
-    "\n"
-    "Say here what the law is good for and how it behaves.\n";
-
 static const mlaw_energy law = {
     .size = sizeof(mlaw_energy),
     .flags = MLAW_HESSIAN,
@@ -87,21 +71,4 @@ static const mlaw_energy law = {
     .about = about,
 };
 
-static const mlaw_energy *const laws[] = {&law};
-
-static const mlaw_plugin plugin = {
-    .size = sizeof(mlaw_plugin),
-    .abi_minor = MLAW_ABI_MINOR,
-    .host_minor_min = 0, /* nothing here needs more than ABI 1.0 */
-    .id = "acme.newlaw",
-    .version = "1.0",
-    .license = "MIT",
-    .author = "you",
-    .n_energy = 1,
-    .energy = laws,
-};
-
-const mlaw_plugin *mlaw_plugin_v1(uint32_t host_minor) {
-  (void)host_minor;
-  return &plugin;
-}
+MLAW_ENERGY_PLUGIN(law, "acme.newlaw", "1.0", "MIT", "you")

@@ -1,5 +1,5 @@
-/* A damage law of the explicit kind, to start from: damage is a function of the largest Y so far.  Rename it,
- * write your f and zeta, and build it with
+/* A damage law of the explicit kind, to start from: damage is a function of the largest Y so far.  Put
+ * your f and zeta in place of these, and build it with
  *
  *     make check                         or, by hand,
  *     cc -std=c11 -O2 -fPIC -fvisibility=hidden -shared -I. -o newlaw.so newlaw.c -lm
@@ -8,32 +8,24 @@
  * A scene takes it with `law: ./newlaw.so`, or `law: acme.newlaw` once the file lies in a folder of
  * MLAW_PLUGIN_PATH.  Here the hardening grows with damage.  The host keeps the largest Y, lets d only grow,
  * and caps it; a law never does.  The text is C11 and C++20. */
-#include <math.h>
-#include <mlaw/mlaw.h>
+#include <mlaw/brief.h> /* shorthand for mlaw.h, which says what a law must do */
+
+static const char about[] = /* equations begin with four blanks */
+    "    drive      Y, the energy release rate\n"
+    "    threshold  f(Y; d) = Y - kappa(d) <= 0,   kappa(d) = Y_D + Y_C (d + d^2)/2\n"
+    "    evolution  zeta(Y) = (sqrt(1 + 8 x) - 1)/2,   x = (Y - Y_D)/Y_C\n"
+    "\n"
+    "Full damage at Y_D + Y_C.  Associated law; dissipation Y dd/dt >= 0.\n";
 
 enum { Y_D, Y_C, N_PARAMS };
 
-/* In the order of the enum: name, SI unit, meaning, powers of mass, length and time, default, hard range,
- * range of calibration. */
+/* In the order of the enum: symbol and meaning (the macro gives the unit), default or MLAW_REQUIRED, the
+ * range that is allowed, and the one in which the law was fitted or tested. */
 static const mlaw_param params[N_PARAMS] = {
-    {.name = "Y_D",
-     .unit = "N/m",
-     .about = "energy release rate at which damage starts",
-     .dim = {1, 0, -2},
-     .flags = MLAW_REQUIRED, /* no default: a scene must say it */
-     .lo = 0.0,
-     .hi = INFINITY,
-     .ok_lo = 0.0,
-     .ok_hi = INFINITY},
-    {.name = "Y_C",
-     .unit = "N/m",
-     .about = "hardening: rupture at Y_D + Y_C",
-     .dim = {1, 0, -2},
-     .flags = MLAW_REQUIRED | MLAW_OPEN_LO,
-     .lo = 0.0,
-     .hi = INFINITY,
-     .ok_lo = 0.0,
-     .ok_hi = INFINITY},
+    {MLAW_TENSION("Y_D", "energy release rate at which damage starts"), .flags = MLAW_REQUIRED,
+     MLAW_RANGE(0.0, INFINITY)},
+    {MLAW_TENSION("Y_C", "hardening: rupture at Y_D + Y_C"), .flags = MLAW_REQUIRED | MLAW_OPEN_LO,
+     MLAW_RANGE(0.0, INFINITY)},
 };
 
 /* f at (Y, d0): negative inside the elastic domain. */
@@ -60,13 +52,6 @@ static int evolution(const mlaw_damage_args *a) {
   return MLAW_OK;
 }
 
-static const char about[] = /* equations begin with four blanks */
-    "    drive      Y, the energy release rate\n"
-    "    threshold  f(Y; d) = Y - kappa(d) <= 0,   kappa(d) = Y_D + Y_C (d + d^2)/2\n"
-    "    evolution  zeta(Y) = (sqrt(1 + 8 x) - 1)/2,   x = (Y - Y_D)/Y_C\n"
-    "\n"
-    "Full damage at Y_D + Y_C.  Associated law; dissipation Y dd/dt >= 0.\n";
-
 static const mlaw_damage law = {
     .size = sizeof(mlaw_damage),
     .id = "acme.newlaw",
@@ -81,20 +66,4 @@ static const mlaw_damage law = {
     .about = about,
 };
 
-static const mlaw_damage *const laws[] = {&law};
-
-static const mlaw_plugin plugin = {
-    .size = sizeof(mlaw_plugin),
-    .abi_minor = MLAW_ABI_MINOR,
-    .id = "acme.newlaw",
-    .version = "1.0",
-    .license = "MIT",
-    .author = "you",
-    .n_damage = 1,
-    .damage = laws,
-};
-
-const mlaw_plugin *mlaw_plugin_v1(uint32_t host_minor) {
-  (void)host_minor;
-  return &plugin;
-}
+MLAW_DAMAGE_PLUGIN(law, "acme.newlaw", "1.0", "MIT", "you")

@@ -1,5 +1,5 @@
 /* A damage law of the general kind, to start from: damage and history variables step from t to t + dt, driven
- * by the channels that the law asks for.  Rename it, write your step, and build it with
+ * by the channels that the law asks for.  Put your step in place of this one, and build it with
  *
  *     make check                         or, by hand,
  *     cc -std=c11 -O2 -fPIC -fvisibility=hidden -shared -I. -o newlaw.so newlaw.c -lm
@@ -9,43 +9,30 @@
  * MLAW_PLUGIN_PATH.  Here damage grows with time wherever the largest principal tension is beyond a strength,
  * and the time spent there is kept.  The host caps d and refuses one that falls.  The text is C11 and C++20.
  */
-#include <math.h>
-#include <mlaw/mlaw.h>
+#include <mlaw/brief.h> /* shorthand for mlaw.h, which says what a law must do */
+
+static const char about[] = /* equations begin with four blanks */
+    "    drive      T1, the larger principal tension of the undamaged membrane\n"
+    "    threshold  damage grows where T1 > T_R\n"
+    "    evolution  dd/dt = <T1/T_R - 1>/tau, trapezoidal in time\n"
+    "\n"
+    "Not associated; dissipation Y dd/dt >= 0.\n";
 
 enum { T_R, TAU, N_PARAMS };
 enum { OVERLOADED, N_VARS };
 
-/* In the order of the enum: name, SI unit, meaning, powers of mass, length and time, default, hard range,
- * range of calibration. */
+/* In the order of the enum: symbol and meaning (the macro gives the unit), default or MLAW_REQUIRED, the
+ * range that is allowed, and the one in which the law was fitted or tested. */
 static const mlaw_param params[N_PARAMS] = {
-    {.name = "T_R",
-     .unit = "N/m",
-     .about = "strength: principal tension of the undamaged membrane beyond which damage grows",
-     .dim = {1, 0, -2},
-     .flags = MLAW_REQUIRED | MLAW_OPEN_LO,
-     .lo = 0.0,
-     .hi = INFINITY,
-     .ok_lo = 0.0,
-     .ok_hi = INFINITY},
-    {.name = "tau",
-     .unit = "s",
-     .about = "time to full damage at twice the strength",
-     .dim = {0, 0, 1},
-     .flags = MLAW_OPEN_LO,
-     .value = 1.0,
-     .lo = 0.0,
-     .hi = INFINITY,
-     .ok_lo = 0.0,
-     .ok_hi = INFINITY},
+    {MLAW_TENSION("T_R", "strength: principal tension of the undamaged membrane beyond which damage grows"),
+     .flags = MLAW_REQUIRED | MLAW_OPEN_LO, MLAW_RANGE(0.0, INFINITY)},
+    {MLAW_TIME("tau", "time to full damage at twice the strength"), .flags = MLAW_OPEN_LO, .value = 1.0,
+     MLAW_RANGE(0.0, INFINITY)},
 };
 
 /* History at each point, kept by the host; restarts carry it. */
 static const mlaw_var vars[N_VARS] = {
-    {.name = "overloaded",
-     .unit = "s",
-     .about = "time spent beyond the strength",
-     .dim = {0, 0, 1},
-     .init = 0.0},
+    {MLAW_TIME("overloaded", "time spent beyond the strength"), .init = 0.0},
 };
 
 static double excess(double tension, double strength) {
@@ -69,13 +56,6 @@ static int update(const mlaw_damage_args *a) {
   return MLAW_OK;
 }
 
-static const char about[] = /* equations begin with four blanks */
-    "    drive      T1, the larger principal tension of the undamaged membrane\n"
-    "    threshold  damage grows where T1 > T_R\n"
-    "    evolution  dd/dt = <T1/T_R - 1>/tau, trapezoidal in time\n"
-    "\n"
-    "Not associated; dissipation Y dd/dt >= 0.\n";
-
 static const mlaw_damage law = {
     .size = sizeof(mlaw_damage),
     .id = "acme.newlaw",
@@ -92,20 +72,4 @@ static const mlaw_damage law = {
     .about = about,
 };
 
-static const mlaw_damage *const laws[] = {&law};
-
-static const mlaw_plugin plugin = {
-    .size = sizeof(mlaw_plugin),
-    .abi_minor = MLAW_ABI_MINOR,
-    .id = "acme.newlaw",
-    .version = "1.0",
-    .license = "MIT",
-    .author = "you",
-    .n_damage = 1,
-    .damage = laws,
-};
-
-const mlaw_plugin *mlaw_plugin_v1(uint32_t host_minor) {
-  (void)host_minor;
-  return &plugin;
-}
+MLAW_DAMAGE_PLUGIN(law, "acme.newlaw", "1.0", "MIT", "you")

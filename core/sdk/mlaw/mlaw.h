@@ -6,7 +6,8 @@
  * energies or damage and new history.  It keeps nothing, allocates nothing and calls nobody.  The host does
  * the rest: memory, time steps, units, ranges, irreversibility, caps, restarts, output.
  *
- * To write a law: copy plugins/template, change the mathematics, compile with nothing but this header:
+ * To write a law: `capsella laws new DIR --kind KIND`, change the mathematics, `make -C DIR check`.  That needs
+ * nothing but this header (brief.h, which templates use, is shorthand for it) and a compiler:
  *     cc -std=c11 -O2 -fPIC -fvisibility=hidden -shared -o acme.so acme.c -lm
  *
  * STRAINS.  l1 >= l2 are the principal stretches of the surface.
