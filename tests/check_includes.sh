@@ -22,8 +22,8 @@ awk '
     sub(/[">].*/, "", target)
     split(FILENAME, own, "/")
     if (own[1] == "plugins") {
-      if (target !~ /^(mlaw\/mlaw\.h|math\.h|stddef\.h|stdint\.h|float\.h|string\.h)$/) {
-        printf "%s:%d: a plugin may include mlaw/mlaw.h and the C library only, not %s\n", FILENAME, FNR, target
+      if (target !~ /^(mlaw\/(mlaw|brief)\.h|math\.h|stddef\.h|stdint\.h|float\.h|string\.h)$/) {
+        printf "%s:%d: a plugin may include mlaw/mlaw.h, mlaw/brief.h and the C library only, not %s\n", FILENAME, FNR, target
         bad = 1
       }
       next
