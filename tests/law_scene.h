@@ -19,7 +19,7 @@ static const LawScales NO_SCALES = {1.0, 1.0, 1.0};
 
 /* A parameter without unit, on line 7 of a file that does not exist. */
 static inline SceneParameter number(const char *name, double value) {
-  return (SceneParameter){(char *)(uintptr_t)name, {.value = value}, {"scene.yaml", 7, 20}};
+  return (SceneParameter){(char *)(uintptr_t)name, {.value = value}, {"scene.yaml", 7, 20}, NULL};
 }
 
 static inline SceneLaw scene_law(const char *law, SceneParameter *parameters, size_t n) {
@@ -32,7 +32,7 @@ static inline Status try_material(Material *material, SceneLaw elastic, SceneLaw
   scene.membrane.elastic = elastic;
   scene.membrane.damage = damage;
   scene.membrane.d_max = 1.0;
-  return material_new(material, &scene, &search, &NO_SCALES, NULL, error);
+  return material_new(material, &scene, &search, &NO_SCALES, NULL, NULL, error);
 }
 
 /* A material that must come about. */

@@ -171,7 +171,7 @@ static void print_moduli(const LoadedLaw *law, const LawSearch *search) {
   }
   if (text_append(&request, &error, "%s#%s", law->file, table.id) != STATUS_OK) return;
   scene.membrane.elastic.law = request.data;
-  if (material_new(&material, &scene, search, NULL, NULL, &error) == STATUS_OK) {
+  if (material_new(&material, &scene, search, NULL, NULL, NULL, &error) == STATUS_OK) {
     printf("moduli     G_s = %.10g, K_s = %.10g at rest, with defaults\n", material.shear_modulus,
            material.dilatation_modulus);
     material_free(&material);

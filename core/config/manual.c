@@ -119,6 +119,7 @@ Status scene_print_manual(Text *markdown, Error *error) {
       before = length;
     }
   }
+  TRY(scene_field_print_manual(markdown, error));
   TRY(print_presets(markdown, error));
 cleanup:
   return status;

@@ -9,6 +9,7 @@
 #include "base/status.h"
 #include "base/text.h"
 #include "config/place.h"
+#include "config/scene_field.h"
 #include "config/units.h"
 #include <stdbool.h>
 #include <stddef.h>
@@ -17,6 +18,7 @@ typedef struct {
   char *name;
   Quantity value;
   SourcePlace place;
+  SceneField *field; /* in place of `value` where the parameter varies over the membrane; NULL: it does not */
 } SceneParameter;
 
 /* A law by name or path, with its parameters as written. */

@@ -281,7 +281,7 @@ Status schema_expected(const SchemaRow *row, Text *text, Error *error) {
   case TYPE_LAW:
     return text_append(text, error, "the name of a law or the path of a shared object");
   case TYPE_PARAMETERS:
-    return text_append(text, error, "a mapping of names to numbers or quantities");
+    return text_append(text, error, "a mapping of names to numbers, quantities or fields");
   case TYPE_CRITERIA:
     return text_append(text, error, "a list of mappings `{name: , law: , parameters: }`");
   case TYPE_GROUP:

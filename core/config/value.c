@@ -166,6 +166,14 @@ static Status read_law(const Reading *reading, const YamlNode *node, SceneLaw *l
   return read_text(reading, node, &law->law);
 }
 
+static Status read_field(const Reading *reading, const YamlNode *node, SceneParameter *parameter) {
+  Text key = {0};
+  Status status = text_append(&key, reading->error, "%s.%s", reading->row->key, node->key);
+  if (status == STATUS_OK) status = scene_field_read(&parameter->field, node, key.data, reading->error);
+  text_free(&key);
+  return status;
+}
+
 static Status read_parameter(const Reading *reading, const YamlNode *node, SceneParameter *parameter) {
   static const char LETTERS[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_0123456789";
   enum { LONGEST = 60 };
@@ -175,15 +183,16 @@ static Status read_parameter(const Reading *reading, const YamlNode *node, Scene
         &node->key_place, reading->error,
         "expected a parameter name of at most %d letters, digits and `_` in `%s`, found `%.60s`", LONGEST,
         reading->row->key, node->key);
-  if (node->kind != YAML_TREE_TEXT || !*node->text)
-    return place_error(&node->place, reading->error, "expected a number or a quantity for `%s.%s`, found %s",
-                       reading->row->key, node->key, yaml_tree_found(node).text);
-  if (units_parse(node->text, &parameter->value, &why) != STATUS_OK)
-    return place_error(&node->place, reading->error, "%s for `%s.%s`", why.text, reading->row->key,
-                       node->key);
   parameter->place = node->place;
   parameter->name = text_copy(node->key, reading->error);
-  return parameter->name ? STATUS_OK : reading->error->code;
+  if (!parameter->name) return reading->error->code;
+  if (node->kind == YAML_TREE_MAPPING) return read_field(reading, node, parameter);
+  if (node->kind != YAML_TREE_TEXT || !*node->text)
+    return place_error(&node->place, reading->error,
+                       "expected a number, a quantity or a field for `%s.%s`, found %s", reading->row->key,
+                       node->key, yaml_tree_found(node).text);
+  if (units_parse(node->text, &parameter->value, &why) == STATUS_OK) return STATUS_OK;
+  return place_error(&node->place, reading->error, "%s for `%s.%s`", why.text, reading->row->key, node->key);
 }
 
 static Status read_parameters(const Reading *reading, const YamlNode *node, SceneLaw *law) {
@@ -287,7 +296,7 @@ Status value_read(const SchemaRow *row, const YamlNode *node, Scene *scene, Erro
   return error_set(error, STATUS_FAILED, "`%s` has no type", row->key);
 }
 
-static Status print_text(const char *value, Text *yaml, Error *error) {
+Status value_print_text(const char *value, Text *yaml, Error *error) {
   static const char PLAIN[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_/.0123456789-";
   enum { NOT_FIRST = 11 }; /* digits and "-" at the end of PLAIN */
   const char *first = strchr(PLAIN, *value);
@@ -334,7 +343,9 @@ static Status print_parameters(const SceneLaw *law, Text *yaml, Error *error) {
   TRY(text_append(yaml, error, "{"));
   for (size_t i = 0; i < law->n_parameters; i++) {
     TRY(text_append(yaml, error, "%s%s: ", i ? ", " : "", law->parameters[i].name));
-    TRY(units_print(yaml, &law->parameters[i].value, error));
+    const SceneParameter *given = &law->parameters[i];
+    TRY(given->field ? scene_field_print(given->field, yaml, error)
+                     : units_print(yaml, &given->value, error));
   }
   TRY(text_append(yaml, error, "}"));
 cleanup:
@@ -346,7 +357,7 @@ static Status print_criteria(const SceneCriterion *criteria, size_t count, Text 
   TRY(text_append(yaml, error, "["));
   for (size_t i = 0; i < count; i++) {
     TRY(text_append(yaml, error, "%s{name: \"%s\", law: ", i ? ", " : "", criteria[i].name));
-    TRY(print_text(criteria[i].law.law, yaml, error));
+    TRY(value_print_text(criteria[i].law.law, yaml, error));
     TRY(text_append(yaml, error, ", parameters: "));
     TRY(print_parameters(&criteria[i].law, yaml, error));
     TRY(text_append(yaml, error, "}"));
@@ -360,7 +371,7 @@ Status value_print(const SchemaRow *row, const Scene *scene, Text *yaml, Error *
   const void *value = const_member(row, scene);
   switch (row->type) {
   case TYPE_TEXT:
-    return print_text(*(char *const *)value, yaml, error);
+    return value_print_text(*(char *const *)value, yaml, error);
   case TYPE_INTEGER:
     return text_append(yaml, error, "%d", *(const int *)value);
   case TYPE_NUMBER:
@@ -383,7 +394,7 @@ Status value_print(const SchemaRow *row, const Scene *scene, Text *yaml, Error *
     return print_rows(points, *(const size_t *)((const char *)scene + row->companion), 2, yaml, error);
   }
   case TYPE_LAW:
-    return print_text(((const SceneLaw *)value)->law, yaml, error);
+    return value_print_text(((const SceneLaw *)value)->law, yaml, error);
   case TYPE_PARAMETERS:
     return print_parameters(value, yaml, error);
   case TYPE_CRITERIA:
@@ -401,7 +412,10 @@ static void free_law(SceneLaw *law) {
 }
 
 static void free_parameters(SceneLaw *law) {
-  for (size_t i = 0; i < law->n_parameters; i++) array_free(law->parameters[i].name);
+  for (size_t i = 0; i < law->n_parameters; i++) {
+    array_free(law->parameters[i].name);
+    scene_field_free(law->parameters[i].field);
+  }
   array_free(law->parameters);
   law->parameters = NULL;
   law->n_parameters = 0;

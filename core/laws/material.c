@@ -69,6 +69,24 @@ static Status law_says(const char *law, int code, const mlaw_error *err, ptrdiff
   return error_prefix(error, "law %s, point %lld of the batch: ", law, (long long)err->point);
 }
 
+/* ---- Parameters of a batch ---- */
+
+/* Parameters of a law that varies, at most; the loader's laws have a handful. */
+enum { MAX_VARYING = 64 };
+
+typedef struct {
+  mlaw_field field[MAX_VARYING];
+} BatchFields;
+
+/* The parameters as seen from element `first` on: `shifted` is used only when some vary. */
+static const mlaw_field *fields_from(const ParameterValues *values, const mlaw_field *field, ptrdiff_t first,
+                                     BatchFields *shifted) {
+  if (!values->varies || first == 0) return field;
+  for (uint32_t k = 0; k < values->n; k++)
+    shifted->field[k] = (mlaw_field){field[k].v + first * field[k].inc, field[k].inc};
+  return shifted->field;
+}
+
 /* ---- The elastic law ---- */
 
 static Status check_strain(const ElasticBatch *batch, ptrdiff_t *point, Error *error) {
@@ -86,20 +104,22 @@ Status material_elastic(const Material *material, const ElasticBatch *batch, ptr
   const mlaw_energy *law = material->elastic.energy;
   const ptrdiff_t n = batch->n, ld = batch->ld;
   mlaw_error err = {.point = -1};
-  const mlaw_energy_args arguments = {.size = sizeof arguments,
-                                      .n = n,
-                                      .ld = ld,
-                                      .t = batch->t,
-                                      .dt = batch->dt,
-                                      .param = material->elastic_field,
-                                      .I1 = batch->I1,
-                                      .I2 = batch->I2,
-                                      .state0 = batch->state0,
-                                      .state1 = batch->state1,
-                                      .phi = batch->phi,
-                                      .dphi = batch->dphi,
-                                      .d2phi = batch->d2phi,
-                                      .err = &err};
+  BatchFields shifted;
+  const mlaw_energy_args arguments = {
+      .size = sizeof arguments,
+      .n = n,
+      .ld = ld,
+      .t = batch->t,
+      .dt = batch->dt,
+      .param = fields_from(&material->elastic_values, material->elastic_field, batch->first, &shifted),
+      .I1 = batch->I1,
+      .I2 = batch->I2,
+      .state0 = batch->state0,
+      .state1 = batch->state1,
+      .phi = batch->phi,
+      .dphi = batch->dphi,
+      .d2phi = batch->d2phi,
+      .err = &err};
   Status status;
   if (point) *point = -1;
   TRY(check_strain(batch, point, error));
@@ -139,17 +159,19 @@ static Status evolve(const Material *material, const DamageBatch *batch, ptrdiff
   const mlaw_damage *law = material->damage.damage;
   const double *chan[MLAW_N_CHANNELS] = {[MLAW_Y] = batch->Ymax1};
   mlaw_error err = {.point = -1};
-  const mlaw_damage_args arguments = {.size = sizeof arguments,
-                                      .n_channels = MLAW_N_CHANNELS,
-                                      .n = batch->n,
-                                      .ld = batch->ld,
-                                      .t = batch->t,
-                                      .dt = batch->dt,
-                                      .param = material->damage_field,
-                                      .chan = chan,
-                                      .d0 = batch->d0,
-                                      .zeta = batch->d1,
-                                      .err = &err};
+  BatchFields shifted;
+  const mlaw_damage_args arguments = {
+      .size = sizeof arguments,
+      .n_channels = MLAW_N_CHANNELS,
+      .n = batch->n,
+      .ld = batch->ld,
+      .t = batch->t,
+      .dt = batch->dt,
+      .param = fields_from(&material->damage_values, material->damage_field, batch->first, &shifted),
+      .chan = chan,
+      .d0 = batch->d0,
+      .zeta = batch->d1,
+      .err = &err};
   Status status;
   TRY(law_says(law->id, law->evolution(&arguments), &err, batch->n, point, error));
   TRY(check_finite(law->id, "zeta", batch->d1, 1, batch->n, batch->ld, point, error));
@@ -180,20 +202,22 @@ static Status step(const Material *material, const DamageBatch *batch, ptrdiff_t
     chan[c] = batch->chan[c];
   }
   mlaw_error err = {.point = -1};
-  const mlaw_damage_args arguments = {.size = sizeof arguments,
-                                      .n_channels = MLAW_N_CHANNELS,
-                                      .n = batch->n,
-                                      .ld = batch->ld,
-                                      .t = batch->t,
-                                      .dt = batch->dt,
-                                      .param = material->damage_field,
-                                      .chan0 = chan0,
-                                      .chan = chan,
-                                      .d0 = batch->d0,
-                                      .state0 = batch->state0,
-                                      .state1 = batch->state1,
-                                      .d1 = batch->d1,
-                                      .err = &err};
+  BatchFields shifted;
+  const mlaw_damage_args arguments = {
+      .size = sizeof arguments,
+      .n_channels = MLAW_N_CHANNELS,
+      .n = batch->n,
+      .ld = batch->ld,
+      .t = batch->t,
+      .dt = batch->dt,
+      .param = fields_from(&material->damage_values, material->damage_field, batch->first, &shifted),
+      .chan0 = chan0,
+      .chan = chan,
+      .d0 = batch->d0,
+      .state0 = batch->state0,
+      .state1 = batch->state1,
+      .d1 = batch->d1,
+      .err = &err};
   Status status;
   TRY(law_says(law->id, law->update(&arguments), &err, batch->n, point, error));
   TRY(check_finite(law->id, "damage", batch->d1, 1, batch->n, batch->ld, point, error));
@@ -249,14 +273,11 @@ static Status check_rest(const Material *material, double phi, double tension, E
   return STATUS_OK;
 }
 
-static Status measure_moduli(Material *material, Error *error) {
+/* The moduli with one set of parameters for all points. */
+static Status measure_moduli(Material *material, const double *strain, double *state, Error *error) {
   const mlaw_energy *law = material->elastic.energy;
-  const double h = REST_STEP, strain[REST_POINTS] = {0.0, -2.0 * h, -h, h, 2.0 * h};
   double phi[REST_POINTS], dphi[2 * REST_POINTS], d2phi[3 * REST_POINTS];
-  double *state = NULL;
   Status status;
-  TRY(ARRAY_NEW(&state, 2 * REST_POINTS * law->n_vars, error));
-  material_start_state(material, LAW_ENERGY, REST_POINTS, REST_POINTS, state);
   const ElasticBatch batch = {.n = REST_POINTS,
                               .ld = REST_POINTS,
                               .I1 = strain,
@@ -271,43 +292,89 @@ static Status measure_moduli(Material *material, Error *error) {
   material->dilatation_modulus = 4.0 * slope_at_rest(law, dphi, d2phi) - material->shear_modulus;
   TRY(check_rest(material, phi[0], 2.0 * (dphi[0] + dphi[REST_POINTS]), error));
 cleanup:
+  return status;
+}
+
+/* Parameters for batches at one element, or at their means (-1). */
+static void view_element(mlaw_field *field, const ParameterValues *values, int element) {
+  for (uint32_t k = 0; k < values->n; k++) {
+    const bool varies = element >= 0 && values->element[k];
+    field[k] = (mlaw_field){varies ? &values->element[k][element] : &values->value[k], 0};
+  }
+}
+
+static void view_elements(mlaw_field *field, const ParameterValues *values) {
+  view_element(field, values, -1);
+  for (uint32_t k = 0; k < values->n; k++)
+    if (values->element[k]) field[k] = (mlaw_field){values->element[k], 1};
+}
+
+/* In every element, if parameters vary; those of their means last, since they stay. */
+static Status measure_rest(Material *material, const Mesh *mesh, Error *error) {
+  const mlaw_energy *law = material->elastic.energy;
+  const ParameterValues *values = &material->elastic_values;
+  const double h = REST_STEP, strain[REST_POINTS] = {0.0, -2.0 * h, -h, h, 2.0 * h};
+  double *state = NULL;
+  Status status;
+  TRY(ARRAY_NEW(&state, 2 * REST_POINTS * law->n_vars, error));
+  material_start_state(material, LAW_ENERGY, REST_POINTS, REST_POINTS, state);
+  for (int e = values->varies ? mesh->n_elements - 1 : -1; e >= -1; e--) {
+    view_element(material->elastic_field, values, e);
+    status = measure_moduli(material, strain, state, error);
+    if (status != STATUS_OK && e >= 0) error_prefix(error, "element %d: ", e);
+    TRY(status);
+  }
+  view_elements(material->elastic_field, values);
+cleanup:
   array_free(state);
   return status;
 }
 
 /* ---- Set-up ---- */
 
-/* One law of the scene: found, and its parameters as values and as fields with stride 0. */
-static Status take_law(LoadedLaw *law, double **value, mlaw_field **field, LawKind kind,
-                       const SceneLaw *scene, const LawSearch *search, const LawScales *scales, Log *log,
-                       Error *error) {
-  Status status = law_load(law, kind, scene->law, search, error);
+/* What a material is made from. */
+typedef struct {
+  const LawSearch *search;
+  const LawScales *scales;
+  const FieldPlace *place;
+  Log *log;
+} MaterialSources;
+
+/* One law of the scene: found, and its parameters as values and as what the law is handed. */
+static Status take_law(LoadedLaw *law, ParameterValues *values, mlaw_field **field, LawKind kind,
+                       const SceneLaw *scene, const MaterialSources *from, Error *error) {
+  Status status = law_load(law, kind, scene->law, from->search, error);
   if (status != STATUS_OK) return place_prefix(&scene->place, error);
   const LawDescription table = law_describe(law);
-  TRY(ARRAY_NEW(value, table.n_params, error));
   TRY(ARRAY_NEW(field, table.n_params, error));
-  TRY(law_parameters(&table, scene, scales, log, *value, error));
-  for (uint32_t k = 0; k < table.n_params; k++) (*field)[k] = (mlaw_field){&(*value)[k], 0};
+  TRY(law_parameters(&table, scene, from->scales, from->place, from->log, values, error));
+  if (values->varies && values->n > MAX_VARYING) {
+    error_set(error, STATUS_INPUT, "law %s: expected at most %d parameters where one varies, found %u",
+              table.id, MAX_VARYING, values->n);
+    TRY(place_prefix(&scene->place, error));
+  }
+  view_elements(*field, values);
 cleanup:
   return status;
 }
 
 Status material_new(Material *material, const Scene *scene, const LawSearch *search, const LawScales *scales,
-                    Log *log, Error *error) {
+                    const FieldPlace *place, Log *log, Error *error) {
   const SceneLaw *elastic = &scene->membrane.elastic, *damage = &scene->membrane.damage;
   Status status;
-  if (!scene->flow.is_physical) scales = NULL; /* a quantity with a unit has no meaning here */
+  /* Without physical values, a quantity with a unit has no meaning. */
+  const MaterialSources from = {search, scene->flow.is_physical ? scales : NULL, place, log};
   *material = (Material){.d_max = scene->membrane.d_max};
-  TRY(take_law(&material->elastic, &material->elastic_parameter, &material->elastic_field, LAW_ENERGY,
-               elastic, search, scales, log, error));
-  status = measure_moduli(material, error);
+  TRY(take_law(&material->elastic, &material->elastic_values, &material->elastic_field, LAW_ENERGY, elastic,
+               &from, error));
+  status = measure_rest(material, place ? place->mesh : NULL, error);
   if (status != STATUS_OK) {
     place_prefix(&elastic->place, error);
     goto cleanup;
   }
   if (damage->law) {
-    TRY(take_law(&material->damage, &material->damage_parameter, &material->damage_field, LAW_DAMAGE, damage,
-                 search, scales, log, error));
+    TRY(take_law(&material->damage, &material->damage_values, &material->damage_field, LAW_DAMAGE, damage,
+                 &from, error));
   }
 cleanup:
   if (status != STATUS_OK) material_free(material);
@@ -315,11 +382,12 @@ cleanup:
 }
 
 Status material_criterion(Material *material, const Scene *scene, const SceneLaw *law,
-                          const LawSearch *search, const LawScales *scales, Log *log, Error *error) {
-  if (!scene->flow.is_physical) scales = NULL;
+                          const LawSearch *search, const LawScales *scales, const FieldPlace *place, Log *log,
+                          Error *error) {
+  const MaterialSources from = {search, scene->flow.is_physical ? scales : NULL, place, log};
   *material = (Material){.d_max = 1};
-  const Status status = take_law(&material->damage, &material->damage_parameter, &material->damage_field,
-                                 LAW_DAMAGE, law, search, scales, log, error);
+  const Status status = take_law(&material->damage, &material->damage_values, &material->damage_field,
+                                 LAW_DAMAGE, law, &from, error);
   if (status != STATUS_OK) material_free(material);
   return status;
 }
@@ -327,11 +395,21 @@ Status material_criterion(Material *material, const Scene *scene, const SceneLaw
 void material_free(Material *material) {
   law_release(&material->elastic);
   law_release(&material->damage);
-  array_free(material->elastic_parameter);
-  array_free(material->damage_parameter);
+  parameter_values_free(&material->elastic_values);
+  parameter_values_free(&material->damage_values);
   array_free(material->elastic_field);
   array_free(material->damage_field);
   *material = (Material){0};
+}
+
+static void keep_values(ParameterValues *values, const int *kept, int n) {
+  for (uint32_t k = 0; k < values->n; k++)
+    for (int i = 0; values->element[k] && i < n; i++) values->element[k][i] = values->element[k][kept[i]];
+}
+
+void material_keep_elements(Material *material, const int *kept, int n) {
+  keep_values(&material->elastic_values, kept, n);
+  keep_values(&material->damage_values, kept, n);
 }
 
 unsigned material_channels(const Material *material) {

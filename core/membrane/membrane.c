@@ -207,6 +207,7 @@ static Status call_elastic_law(const Membrane *m, BlockTask task, int g, Error *
   const ElasticBatch batch = {
       .n = task.n,
       .ld = m->n_points,
+      .first = task.first,
       .t = task.t,
       .dt = task.dt,
       .I1 = m->I1 + k,
@@ -229,6 +230,7 @@ static Status call_damage_law(const Membrane *m, BlockTask task, int g, Error *e
   DamageBatch batch = {
       .n = task.n,
       .ld = m->n_points,
+      .first = task.first,
       .t = task.t,
       .dt = task.dt,
       .Ymax0 = old->Ymax + k,

@@ -71,28 +71,35 @@ void observers_read(Observers *o) {
   membrane_channels(o->membrane, o->channel);
 }
 
-Status observers_step(Observers *o, size_t i, double t, double dt, Error *error) {
+/* The points at rule point g of every element: one value of a parameter that varies for each. */
+static Status step_range(Observers *o, size_t i, int g, double t, double dt, Error *error) {
   const ObserverHistory *old = &o->history0[i], *new = &o->history[i];
-  const int points = membrane_points(o->membrane);
+  const int points = membrane_points(o->membrane), n = points / POINTS_PER_ELEMENT, k = g * n;
   DamageBatch batch = {
-      .n = points,
+      .n = n,
       .ld = points,
       .t = t,
       .dt = dt,
-      .Ymax0 = old->Ymax,
-      .d0 = old->d,
-      .state0 = old->state,
-      .Ymax1 = new->Ymax,
-      .d1 = new->d,
-      .state1 = new->state,
+      .Ymax0 = old->Ymax + k,
+      .d0 = old->d + k,
+      .state0 = old->state ? old->state + k : NULL,
+      .Ymax1 = new->Ymax + k,
+      .d1 = new->d + k,
+      .state1 = new->state ? new->state + k : NULL,
   };
   for (int c = 0; c < MLAW_N_CHANNELS; c++) {
-    batch.chan0[c] = o->channel0[c];
-    batch.chan[c] = o->channel[c];
+    batch.chan0[c] = o->channel0[c] ? o->channel0[c] + k : NULL;
+    batch.chan[c] = o->channel[c] ? o->channel[c] + k : NULL;
   }
-  const Status status = material_damage(&o->law[i], &batch, NULL, error);
-  if (status != STATUS_REJECT) return status;
-  return error->code = STATUS_FAILED;
+  return material_damage(&o->law[i], &batch, NULL, error);
+}
+
+Status observers_step(Observers *o, size_t i, double t, double dt, Error *error) {
+  Status status = STATUS_OK;
+  for (int g = 0; g < POINTS_PER_ELEMENT && status == STATUS_OK; g++)
+    status = step_range(o, i, g, t, dt, error);
+  if (status == STATUS_REJECT) status = error->code = STATUS_FAILED;
+  return status;
 }
 
 void observers_commit(Observers *o) {

@@ -189,6 +189,31 @@ cleanup:
   return status;
 }
 
+static bool keeps(const SymmetryOperation *operation, const Mesh *mesh, const double *value) {
+  for (int e = 0; e < mesh->n_elements; e++)
+    if (value[operation->element[e]] != value[e]) return false;
+  return true;
+}
+
+Status symmetry_keep_field(Symmetry *symmetry, const Mesh *mesh, const double *value, Error *error) {
+  int kept = 0;
+  for (int k = 0; k < symmetry->n_operations; k++) {
+    SymmetryOperation *operation = &symmetry->operation[k];
+    if (keeps(operation, mesh, value)) {
+      const SymmetryOperation moved = *operation;
+      *operation = (SymmetryOperation){0};
+      symmetry->operation[kept++] = moved;
+    } else {
+      operation_free(operation);
+    }
+  }
+  if (kept == symmetry->n_operations) return STATUS_OK;
+  symmetry->n_operations = kept;
+  orbits_free(&symmetry->nodes);
+  orbits_free(&symmetry->elements);
+  return find_orbits(symmetry, mesh, error);
+}
+
 void symmetry_free(Symmetry *symmetry) {
   for (int k = 0; k < SYMMETRY_MAX; k++) operation_free(&symmetry->operation[k]);
   orbits_free(&symmetry->nodes);

@@ -56,6 +56,10 @@ Status symmetry_find(Symmetry *symmetry, const Mesh *mesh, const double *x, cons
 Status symmetry_none(Symmetry *symmetry, const Mesh *mesh, Error *error);
 void symmetry_free(Symmetry *symmetry);
 
+/* Leaves the operations that keep a field of values at the elements [n_elements], bit for bit, which are a
+ * group again; orbits and their numbers change. */
+Status symmetry_keep_field(Symmetry *symmetry, const Mesh *mesh, const double *value, Error *error);
+
 /* Makes a vector field [n_nodes][3] symmetric from its values at the representatives: components that an
  * operation would change there are set to zero, and the other members get their images. */
 void symmetry_spread(const Symmetry *symmetry, double *field);

@@ -56,15 +56,40 @@ cleanup:
 
 /* --- series.xdmf --- */
 
-static Status print_attribute(Text *xml, const char *file, const char *name, int components, int n_nodes,
-                              Error *error) {
+/* A field of a snapshot as the format names it. */
+typedef struct {
+  const char *name, *center, *group; /* "Node", "PointData" or "Cell", "CellData" */
+  int components, count;
+} Attribute;
+
+static Status print_attribute(Text *xml, const char *file, Attribute attribute, Error *error) {
   Status status;
-  TRY(text_append(xml, error, "        <Attribute Name=\"%s\" AttributeType=\"%s\" Center=\"Node\">\n", name,
-                  components == 1 ? "Scalar" : "Vector"));
+  const int components = attribute.components;
+  TRY(text_append(xml, error, "        <Attribute Name=\"%s\" AttributeType=\"%s\" Center=\"%s\">\n",
+                  attribute.name, components == 1 ? "Scalar" : "Vector", attribute.center));
   TRY(text_append(xml, error, "          <DataItem Format=\"HDF\" NumberType=\"Float\" Precision=\"8\" "));
-  TRY(text_append(xml, error, components == 1 ? "Dimensions=\"%d\"" : "Dimensions=\"%d %d\"", n_nodes,
+  TRY(text_append(xml, error, components == 1 ? "Dimensions=\"%d\"" : "Dimensions=\"%d %d\"", attribute.count,
                   components));
-  TRY(text_append(xml, error, ">%s:/VTKHDF/PointData/%s</DataItem>\n        </Attribute>\n", file, name));
+  TRY(text_append(xml, error, ">%s:/VTKHDF/%s/%s</DataItem>\n        </Attribute>\n", file, attribute.group,
+                  attribute.name));
+cleanup:
+  return status;
+}
+
+static Status print_attributes(Text *xml, const char *file, const Snapshot *snapshot, Error *error) {
+  Status status;
+  Attribute nodes = {"X", "Node", "PointData", 3, snapshot->mesh->n_nodes};
+  Attribute cells = {"", "Cell", "CellData", 1, snapshot->mesh->n_elements};
+  TRY(print_attribute(xml, file, nodes, error));
+  for (size_t k = 0; k < snapshot->n_fields; k++) {
+    nodes.name = snapshot->fields[k].name;
+    nodes.components = snapshot->fields[k].components;
+    TRY(print_attribute(xml, file, nodes, error));
+  }
+  for (size_t k = 0; k < snapshot->n_cells; k++) {
+    cells.name = snapshot->cells[k].name;
+    TRY(print_attribute(xml, file, cells, error));
+  }
 cleanup:
   return status;
 }
@@ -90,10 +115,7 @@ static Status print_grid(Text *xml, const SeriesEntry *entry, const Snapshot *sn
       "%s:/VTKHDF/Points</DataItem>\n"
       "        </Geometry>\n",
       time, mesh->n_elements, 6 * mesh->n_elements, file.data, mesh->n_nodes, file.data));
-  TRY(print_attribute(xml, file.data, "X", 3, mesh->n_nodes, error));
-  for (size_t k = 0; k < snapshot->n_fields; k++)
-    TRY(print_attribute(xml, file.data, snapshot->fields[k].name, snapshot->fields[k].components,
-                        mesh->n_nodes, error));
+  TRY(print_attributes(xml, file.data, snapshot, error));
   TRY(text_append(xml, error, "      </Grid>\n"));
 cleanup:
   text_free(&file);

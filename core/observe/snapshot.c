@@ -59,6 +59,15 @@ static Status write_field(Hdf *hdf, const Mesh *mesh, const SnapshotField *field
   return status;
 }
 
+static Status write_cell_data(Hdf *hdf, const Mesh *mesh, const SnapshotCells *cells, Error *error) {
+  Text path = {0};
+  Status status = text_append(&path, error, "/VTKHDF/CellData/%s", cells->name);
+  if (status == STATUS_OK)
+    status = hdf_write(hdf, path.data, HDF_DOUBLE, (size_t)mesh->n_elements, 0, cells->values, error);
+  text_free(&path);
+  return status;
+}
+
 static Status write_grid(Hdf *hdf, const Snapshot *snapshot, Error *error) {
   Status status;
   const Mesh *mesh = snapshot->mesh;
@@ -72,6 +81,7 @@ static Status write_grid(Hdf *hdf, const Snapshot *snapshot, Error *error) {
   TRY(write_field(hdf, mesh, &reference, error));
   TRY(hdf_link(hdf, "/VTKHDF/Points", "/VTKHDF/PointData/x", error));
   for (size_t k = 0; k < snapshot->n_fields; k++) TRY(write_field(hdf, mesh, &snapshot->fields[k], error));
+  for (size_t k = 0; k < snapshot->n_cells; k++) TRY(write_cell_data(hdf, mesh, &snapshot->cells[k], error));
   TRY(hdf_write(hdf, "/VTKHDF/FieldData/TimeValue", HDF_DOUBLE, 1, 0, &snapshot->t, error));
 cleanup:
   return status;

@@ -20,6 +20,12 @@ typedef struct {
   const double *values;
 } SnapshotField;
 
+/* Values at the elements, [n_elements]. */
+typedef struct {
+  const char *name;
+  const double *values;
+} SnapshotCells;
+
 /* One named array of the restart group: written from here, and read back into the same place, so that one
  * list serves both ways.  Exactly one of the two pointers is set; a scalar has count 1. */
 typedef struct {
@@ -35,6 +41,8 @@ typedef struct {
   const double *x; /* [n_nodes][3]; x and (from the mesh) X become fields by themselves */
   const SnapshotField *fields;
   size_t n_fields;
+  const SnapshotCells *cells; /* the same in every snapshot of a series */
+  size_t n_cells;
   const RestartItem *restart;
   size_t n_restart;
   const char *scene; /* the resolved scene as YAML */

@@ -56,6 +56,7 @@ Status output_open(Output *output, const char *folder, const Simulation *s, Erro
   const size_t nodes = (size_t)s->mesh.n_nodes, points = (size_t)membrane_points(s->membrane);
   *output = (Output){.folder = folder, .last_row_t = NAN};
   TRY(print_resolved(output, s, error));
+  TRY(parameter_cells_new(&output->parameters, s, error));
   TRY(ARRAY_NEW(&output->d, nodes, error));
   TRY(ARRAY_NEW(&output->Y, nodes, error));
   TRY(ARRAY_NEW(&output->T1, nodes, error));
@@ -70,6 +71,7 @@ void output_close(Output *output) {
   Error ignored;
   history_close(&output->history, &ignored);
   series_free(&output->series);
+  parameter_cells_free(&output->parameters);
   text_free(&output->resolved);
   array_free(output->d);
   array_free(output->Y);
@@ -253,6 +255,8 @@ Status output_snapshot(Output *output, Simulation *s, Record *record, Error *err
       .x = record->x,
       .fields = fields,
       .n_fields = sizeof fields / sizeof *fields,
+      .cells = output->parameters.cells,
+      .n_cells = output->parameters.n,
       .restart = items,
       .n_restart = restart_items(output, s, record, items),
       .scene = output->resolved.data,

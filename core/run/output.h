@@ -7,6 +7,7 @@
 #include "base/text.h"
 #include "observe/history.h"
 #include "observe/series.h"
+#include "run/parameter_cells.h"
 #include "run/record.h"
 #include "run/simulation.h"
 
@@ -15,6 +16,7 @@ typedef struct {
   Text resolved; /* the scene with every default, as written to resolved.yaml and kept in each snapshot */
   History history;
   Series series;
+  ParameterCells parameters;
   long long next_sample,
       next_snapshot;                /* due at next * history_every, next * snapshot_every after the start */
   long long snapshot_number;        /* of the next snapshot file */

@@ -166,10 +166,8 @@ void record_peak(const Record *record, double X[3], double x[3]) {
 /* ---- places ---- */
 
 Status record_shape(const Record *record, Shape *shape, Error *error) {
-  static const double Y_AXIS[3] = {0, 1, 0};
   const Simulation *s = record->simulation;
-  return shape_measure(&s->mesh, record->x, simulation_is_inflation(s) ? Y_AXIS : s->flow.vorticity_axis,
-                       shape, error);
+  return shape_measure(&s->mesh, record->x, s->flow.vorticity_axis, shape, error);
 }
 
 Site record_site(const Record *record, const Shape *shape, int k) {

@@ -52,7 +52,15 @@ cleanup:
   return status;
 }
 
-static Status load_criteria(Simulation *s, const LawSearch *search, Log *log, Error *error) {
+static Status pin_fields(SceneLaw *law, const char *folder, Error *error) {
+  Status status = STATUS_OK;
+  for (size_t i = 0; i < law->n_parameters && status == STATUS_OK; i++)
+    if (law->parameters[i].field) status = field_pin(law->parameters[i].field, folder, error);
+  return status;
+}
+
+static Status load_criteria(Simulation *s, const LawSearch *search, const FieldPlace *place,
+                            const char *folder, Log *log, Error *error) {
   Status status = STATUS_OK;
   SceneCriterion *criteria = s->scene->observe.criteria;
   const size_t n = s->scene->observe.n_criteria;
@@ -60,7 +68,8 @@ static Status load_criteria(Simulation *s, const LawSearch *search, Log *log, Er
   for (; s->n_criteria < n; s->n_criteria++) {
     Material *criterion = &s->criterion[s->n_criteria];
     SceneLaw *law = &criteria[s->n_criteria].law;
-    TRY(material_criterion(criterion, s->scene, law, search, &s->scales, log, error));
+    TRY(pin_fields(law, folder, error));
+    TRY(material_criterion(criterion, s->scene, law, search, &s->scales, place, log, error));
     TRY(keep_opened_path(law, &criterion->damage, error));
   }
 cleanup:
@@ -71,12 +80,16 @@ static Status load_laws(Simulation *s, Log *log, Error *error) {
   Status status = STATUS_OK;
   LawSearch search = {0};
   Text folder = {0};
+  FieldPlace place = {.mesh = &s->mesh};
+  memcpy(place.P, s->flow.vorticity_axis, sizeof place.P);
   TRY(file_folder(&folder, s->scene->file, error));
   TRY(law_search_default(&search, folder.data, error));
-  TRY(material_new(&s->material, s->scene, &search, &s->scales, log, error));
+  TRY(pin_fields(&s->scene->membrane.elastic, folder.data, error));
+  TRY(pin_fields(&s->scene->membrane.damage, folder.data, error));
+  TRY(material_new(&s->material, s->scene, &search, &s->scales, &place, log, error));
   TRY(keep_opened_path(&s->scene->membrane.elastic, &s->material.elastic, error));
   TRY(keep_opened_path(&s->scene->membrane.damage, &s->material.damage, error));
-  TRY(load_criteria(s, &search, log, error));
+  TRY(load_criteria(s, &search, &place, folder.data, log, error));
   if (!material_has_damage(&s->material)) skip(s, "damage: the scene names no damage law");
 cleanup:
   text_free(&folder);
@@ -84,7 +97,25 @@ cleanup:
   return status;
 }
 
-/* The group of mesh and motion.  It holds since all laws are isotropic and their parameters uniform. */
+/* Leaves the symmetries that the values of a law's parameters have. */
+static Status keep_symmetric_values(Simulation *s, const LoadedLaw *law, const ParameterValues *values,
+                                    Error *error) {
+  Status status = STATUS_OK;
+  for (uint32_t k = 0; k < values->n; k++) {
+    const int before = s->symmetry.n_operations;
+    if (!values->element[k]) continue;
+    TRY(symmetry_keep_field(&s->symmetry, &s->mesh, values->element[k], error));
+    if (s->symmetry.n_operations < before) {
+      const LawDescription table = law_describe(law);
+      skip(s, "%d of %d symmetries of mesh and flow: the values of %s of law %s do not have them",
+           before - s->symmetry.n_operations, before, law_param(&table, k)->name, table.id);
+    }
+  }
+cleanup:
+  return status;
+}
+
+/* The group of mesh, motion and parameters.  It holds since all laws are isotropic. */
 static Status find_symmetry(Simulation *s, Error *error) {
   Status status = STATUS_OK;
   if (s->scene->symmetry == SYMMETRY_OFF) {
@@ -93,32 +124,46 @@ static Status find_symmetry(Simulation *s, Error *error) {
   }
   const double(*gradient)[3] = (const double(*)[3])s->scene->flow.gradient;
   TRY(symmetry_find(&s->symmetry, &s->mesh, s->mesh.X, simulation_is_inflation(s) ? NULL : gradient, error));
+  TRY(keep_symmetric_values(s, &s->material.elastic, &s->material.elastic_values, error));
+  TRY(keep_symmetric_values(s, &s->material.damage, &s->material.damage_values, error));
+  for (size_t i = 0; i < s->n_criteria; i++)
+    TRY(keep_symmetric_values(s, &s->criterion[i].damage, &s->criterion[i].damage_values, error));
   if (s->symmetry.n_operations > 1)
     skip(s, "%d of %d elements and %d of %d nodes: they are images of the others under %d symmetries",
          s->mesh.n_elements - s->symmetry.elements.n, s->mesh.n_elements,
          s->mesh.n_nodes - s->symmetry.nodes.n, s->mesh.n_nodes, s->symmetry.n_operations);
+  const Orbits *elements = &s->symmetry.elements;
+  material_keep_elements(&s->material, elements->representative, elements->n);
+  for (size_t i = 0; i < s->n_criteria; i++)
+    material_keep_elements(&s->criterion[i], elements->representative, elements->n);
 cleanup:
   return status;
 }
 
-static Status build_capsule(Simulation *s, Error *error) {
+static Status build_mesh(Simulation *s, Error *error) {
   Status status = STATUS_OK;
   MeshRotation rotation = {.angle = s->scene->mesh.rotation_angle};
   for (int c = 0; c < 3; c++) rotation.axis[c] = s->scene->mesh.rotation_axis[c];
   TRY(mesh_sphere(&s->mesh, s->scene->mesh.subdivisions, rotation.angle != 0 ? &rotation : NULL, error));
-  TRY(find_symmetry(s, error));
-  TRY(membrane_new(&s->membrane, &s->mesh, &s->symmetry, &s->material, s->scene->membrane.mass_solver,
-                   error));
   s->volume0 = surface_volume(&s->mesh, s->mesh.X);
   s->area0 = surface_area(&s->mesh, s->mesh.X);
 cleanup:
   return status;
 }
 
+/* An inflation has no vorticity axis; y stands in for it, as in simple shear. */
+static void describe_flow(Simulation *s) {
+  static const double Y_AXIS[3] = {0, 1, 0};
+  if (simulation_is_inflation(s)) {
+    memcpy(s->flow.vorticity_axis, Y_AXIS, sizeof Y_AXIS);
+  } else {
+    flow_linear(&s->flow, (const double(*)[3])s->scene->flow.gradient);
+  }
+}
+
 static Status build_fluid(Simulation *s, Error *error) {
   Status status = STATUS_OK;
   const Scene *scene = s->scene;
-  flow_linear(&s->flow, scene->flow.gradient);
   TRY(single_layer_new(&s->layer, &s->mesh, scene->fluid_method, error));
   if (s->symmetry.n_operations > 1) single_layer_use_symmetry(s->layer, &s->symmetry);
   const double mobility = 1 / (scene->flow.capillary_number * s->material.shear_modulus);
@@ -141,8 +186,11 @@ Status simulation_new(Simulation *s, Scene *scene, Log *log, Error *error) {
   Status status = STATUS_OK;
   *s = (Simulation){.scene = scene};
   derive_scales(s);
+  describe_flow(s);
+  TRY(build_mesh(s, error));
   TRY(load_laws(s, log, error));
-  TRY(build_capsule(s, error));
+  TRY(find_symmetry(s, error));
+  TRY(membrane_new(&s->membrane, &s->mesh, &s->symmetry, &s->material, scene->membrane.mass_solver, error));
   if (simulation_is_inflation(s)) {
     const double longest = scene->output.history_every > 0 ? scene->output.history_every : INFINITY;
     TRY(inflation_motion(&s->inflated, &s->mesh, s->membrane, (const double(*)[2])scene->flow.path,

@@ -28,8 +28,8 @@ typedef struct {
   Membrane *membrane;
   double volume0, area0; /* of the initial discrete surface */
 
+  Flow flow; /* of an inflation only the axis, y */
   /* Flow scenes only: */
-  Flow flow;
   SingleLayer *layer;
   CoupledSystem system;
   Stepper stepper;

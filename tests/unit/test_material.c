@@ -352,8 +352,8 @@ END_TEST
 START_TEST(a_law_built_with_longer_structures_runs) {
   SceneParameter spare[] = {number("spare", 3.0)};
   Material material = make_material(scene_law("from_the_future", spare, 1), NONE);
-  ck_assert_double_eq(material.elastic_parameter[0], 1.0);
-  ck_assert_double_eq(material.elastic_parameter[1], 3.0);
+  ck_assert_double_eq(material.elastic_values.value[0], 1.0);
+  ck_assert_double_eq(material.elastic_values.value[1], 3.0);
   ck_assert_double_eq_tol(material.dilatation_modulus, 3.0, 1e-9);
   material_free(&material);
 }

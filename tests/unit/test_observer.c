@@ -30,7 +30,7 @@ static void make_criteria(Material criterion[N_CASES]) {
   Error error;
   for (int i = 0; i < N_CASES; i++) {
     const SceneLaw law = law_of(&CASES[i]);
-    ck_assert_int_eq(material_criterion(&criterion[i], &scene, &law, &search, &NO_SCALES, NULL, &error),
+    ck_assert_int_eq(material_criterion(&criterion[i], &scene, &law, &search, &NO_SCALES, NULL, NULL, &error),
                      STATUS_OK);
   }
 }

@@ -28,7 +28,11 @@ static const LawDescription LAW = {.id = "test.law",
 static Status fill(SceneParameter *given, size_t n, const LawScales *scales, Log *log, double *value,
                    Error *error) {
   const SceneLaw scene = scene_law("test.law", given, n);
-  return law_parameters(&LAW, &scene, scales, log, value, error);
+  ParameterValues values;
+  const Status status = law_parameters(&LAW, &scene, scales, NULL, log, &values, error);
+  if (status == STATUS_OK) memcpy(value, values.value, N_PARAMS * sizeof *value);
+  parameter_values_free(&values);
+  return status;
 }
 
 static void expect_refusal(SceneParameter *given, size_t n, const char *message) {

@@ -51,11 +51,14 @@ static void make_mesh(void) {
 static Status write_state(const char *path, const State *state, Error *error) {
   make_mesh();
   const SnapshotField fields[N_FIELDS] = {{"q", 3, x}, {"velocity", 3, mesh.X}, {"d", 1, field}};
+  const SnapshotCells cells[] = {{"damage_Y_C", field}};
   const Snapshot snapshot = {.mesh = &mesh,
                              .t = 0.1,
                              .x = x,
                              .fields = fields,
                              .n_fields = N_FIELDS,
+                             .cells = cells,
+                             .n_cells = 1,
                              .restart = state->items,
                              .n_restart = N_ITEMS,
                              .scene = SCENE};
@@ -146,7 +149,7 @@ static void holds(Hdf *hdf, const char *path, const double *expected, size_t cou
 }
 
 /* Names and shapes as the VTKHDF 1.0 specification has them for an UnstructuredGrid. */
-START_TEST(the_grid_is_quadratic_triangles_with_the_fields_at_the_nodes) {
+START_TEST(the_grid_is_quadratic_triangles_with_fields_at_nodes_and_cells) {
   Error error;
   Hdf *hdf;
   write_number(3);
@@ -159,6 +162,7 @@ START_TEST(the_grid_is_quadratic_triangles_with_the_fields_at_the_nodes) {
   holds(hdf, "/VTKHDF/PointData/q", x, 3 * n);
   holds(hdf, "/VTKHDF/PointData/velocity", mesh.X, 3 * n);
   holds(hdf, "/VTKHDF/PointData/d", field, n);
+  holds(hdf, "/VTKHDF/CellData/damage_Y_C", field, cells);
   holds(hdf, "/VTKHDF/FieldData/TimeValue", (const double[]){0.1}, 1);
   long long *ids, *offsets, sizes[3];
   unsigned char *types;
@@ -343,7 +347,7 @@ int main(void) {
   int result = suite_run(
       "snapshot",
       (SuiteTests){the_restart_reads_back_bit_for_bit, equal_states_give_equal_files_and_nothing_else_is_left,
-                   the_grid_is_quadratic_triangles_with_the_fields_at_the_nodes,
+                   the_grid_is_quadratic_triangles_with_fields_at_nodes_and_cells,
                    a_file_cut_off_anywhere_is_refused, a_file_with_one_flipped_bit_is_refused,
                    a_snapshot_of_another_scene_is_an_input_error_and_touches_nothing,
                    a_missing_file_and_a_folder_that_cannot_be_written_are_errors,
