@@ -5,9 +5,11 @@
 #include <stdio.h>
 #include <string.h>
 
-static const char USAGE[] = "usage: capsella report DIR\n"
-                            "\n"
-                            "Draws the newest snapshot of DIR into DIR/capsule.svg, coloured by damage.\n";
+static const char USAGE[] =
+    "usage: capsella report DIR\n"
+    "\n"
+    "Draws the newest snapshot of DIR into DIR/capsule.svg, coloured by damage, and writes\n"
+    "the page DIR/report.html.\n";
 
 int command_report(int argc, char **argv) {
   const bool help = argc == 2 && (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0);

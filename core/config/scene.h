@@ -110,6 +110,7 @@ typedef struct {
 
   struct {
     double history_every, snapshot_every; /* 0: only the last state */
+    bool report;                          /* write report.html */
   } output;
 } Scene;
 

@@ -174,6 +174,8 @@ const SchemaRow SCHEMA[] = {
     {.key = "output.snapshot_every", .type = TYPE_NUMBER, AT(output.snapshot_every), AT_LEAST(0),
      .fallback = "0.5",
      .meaning = "Time between snapshots; 0: only the last state."},
+    {.key = "output.report", .type = TYPE_BOOLEAN, AT(output.report), .fallback = "true",
+     .meaning = "Write report.html, a page with curves and the capsule, at the end of the run."},
 };
 /* clang-format on */
 

@@ -9,6 +9,10 @@ static void put(Json *json, const char *string) {
   if (json->status == STATUS_OK) json->status = text_append(json->text, json->error, "%s", string);
 }
 
+static void put_bytes(Json *json, const char *bytes, size_t count) {
+  if (json->status == STATUS_OK) json->status = text_append_bytes(json->text, json->error, bytes, count);
+}
+
 static void indent(Json *json) {
   put(json, "\n");
   for (int level = 0; level < json->depth; level++) put(json, "  ");
@@ -40,7 +44,7 @@ static void put_quoted(Json *json, const char *string) {
     else if (*s < 0x20)
       json->status = text_append(json->text, json->error, "\\u%04x", *s);
     else
-      json->status = text_append_bytes(json->text, json->error, (const char *)s, (size_t)length);
+      put_bytes(json, (const char *)s, (size_t)length);
     s += length ? length : 1;
   }
   put(json, "\"");
@@ -134,6 +138,31 @@ void json_boolean(Json *json, const char *key, bool value) {
 void json_null(Json *json, const char *key) {
   begin_value(json, key);
   put(json, "null");
+}
+
+void json_raw(Json *json, const char *key, const char *value) {
+  begin_value(json, key);
+  put(json, value);
+}
+
+/* RFC 4648, in pieces that fit a buffer. */
+void json_bytes(Json *json, const char *key, const unsigned char *bytes, size_t count) {
+  static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  char buffer[4096];
+  size_t filled = 0;
+  begin_value(json, key);
+  put(json, "\"");
+  for (size_t k = 0; k < count; k += 3) {
+    const size_t left = count - k;
+    const unsigned group = (unsigned)bytes[k] << 16 | (left > 1 ? (unsigned)bytes[k + 1] << 8 : 0) |
+                           (left > 2 ? bytes[k + 2] : 0);
+    for (size_t c = 0; c < 4; c++) buffer[filled++] = c <= left ? digits[group >> (18 - 6 * c) & 0x3f] : '=';
+    if (filled == sizeof buffer || left <= 3) {
+      put_bytes(json, buffer, filled);
+      filled = 0;
+    }
+  }
+  put(json, "\"");
 }
 
 Status json_end(Json *json) {

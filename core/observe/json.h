@@ -7,6 +7,7 @@
 #include "base/status.h"
 #include "base/text.h"
 #include <stdbool.h>
+#include <stddef.h>
 
 enum { JSON_MAX_DEPTH = 16 };
 
@@ -32,7 +33,9 @@ void json_integer(Json *json, const char *key, long long value);
 void json_string(Json *json, const char *key, const char *value); /* NULL: null */
 void json_boolean(Json *json, const char *key, bool value);
 void json_null(Json *json, const char *key);
-void json_numbers(Json *json, const char *key, const double *values, int count); /* on one line */
+void json_raw(Json *json, const char *key, const char *value);                          /* JSON already */
+void json_bytes(Json *json, const char *key, const unsigned char *bytes, size_t count); /* base64 */
+void json_numbers(Json *json, const char *key, const double *values, int count);        /* on one line */
 
 /* Ends the text with a newline.  STATUS_FAILED when objects are left open: a programming error. */
 Status json_end(Json *json);

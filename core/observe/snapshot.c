@@ -8,11 +8,14 @@
 #include "observe/seal.h"
 #include <dirent.h>
 #include <errno.h>
+#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#define ARRAYS "/restart/arrays"
+#define ARRAYS       "/restart/arrays"
+#define POINT_DATA   "/VTKHDF/PointData"
+#define CONNECTIVITY "/VTKHDF/Connectivity"
 
 enum { VTK_QUADRATIC_TRIANGLE = 22 }; /* node order as in mesh.h: corners, then edges 01, 12, 20 */
 
@@ -40,7 +43,7 @@ static Status write_cells(Hdf *hdf, const Mesh *mesh, Error *error) {
   memset(type, VTK_QUADRATIC_TRIANGLE, n);
   TRY(hdf_write(hdf, "/VTKHDF/NumberOfCells", HDF_INT, 1, 0, &mesh->n_elements, error));
   TRY(hdf_write(hdf, "/VTKHDF/NumberOfConnectivityIds", HDF_INT, 1, 0, &ids, error));
-  TRY(hdf_write(hdf, "/VTKHDF/Connectivity", HDF_INT, 6 * n, 0, mesh->element, error));
+  TRY(hdf_write(hdf, CONNECTIVITY, HDF_INT, 6 * n, 0, mesh->element, error));
   TRY(hdf_write(hdf, "/VTKHDF/Offsets", HDF_INT, n + 1, 0, offset, error));
   TRY(hdf_write(hdf, "/VTKHDF/Types", HDF_BYTE, n, 0, type, error));
 cleanup:
@@ -51,7 +54,7 @@ cleanup:
 
 static Status write_field(Hdf *hdf, const Mesh *mesh, const SnapshotField *field, Error *error) {
   Text path = {0};
-  Status status = text_append(&path, error, "/VTKHDF/PointData/%s", field->name);
+  Status status = text_append(&path, error, POINT_DATA "/%s", field->name);
   const size_t columns = field->components == 1 ? 0 : (size_t)field->components;
   if (status == STATUS_OK)
     status = hdf_write(hdf, path.data, HDF_DOUBLE, (size_t)mesh->n_nodes, columns, field->values, error);
@@ -79,7 +82,7 @@ static Status write_grid(Hdf *hdf, const Snapshot *snapshot, Error *error) {
   TRY(hdf_write(hdf, "/VTKHDF/Points", HDF_DOUBLE, (size_t)mesh->n_nodes, 3, snapshot->x, error));
   TRY(write_cells(hdf, mesh, error));
   TRY(write_field(hdf, mesh, &reference, error));
-  TRY(hdf_link(hdf, "/VTKHDF/Points", "/VTKHDF/PointData/x", error));
+  TRY(hdf_link(hdf, "/VTKHDF/Points", POINT_DATA "/x", error));
   for (size_t k = 0; k < snapshot->n_fields; k++) TRY(write_field(hdf, mesh, &snapshot->fields[k], error));
   for (size_t k = 0; k < snapshot->n_cells; k++) TRY(write_cell_data(hdf, mesh, &snapshot->cells[k], error));
   TRY(hdf_write(hdf, "/VTKHDF/FieldData/TimeValue", HDF_DOUBLE, 1, 0, &snapshot->t, error));
@@ -225,6 +228,87 @@ cleanup:
   if (status != STATUS_OK) error_prefix(error, "%s: ", path);
   hdf_free(hdf);
   return status;
+}
+
+/* Number of values of a dataset that must hold whole rows of `columns`. */
+static Status count_rows(Hdf *hdf, const char *path, size_t columns, int *rows, Error *error) {
+  HdfType type;
+  size_t count;
+  Status status = hdf_describe(hdf, path, &type, &count, error);
+  if (status != STATUS_OK) return status;
+  if (count == 0 || count % columns != 0 || count > INT_MAX)
+    return error_set(error, STATUS_IO, "%s: expected rows of %zu values, found %zu values", path, columns,
+                     count);
+  *rows = (int)(count / columns);
+  return STATUS_OK;
+}
+
+static Status read_elements(Hdf *hdf, SnapshotGrid *grid, Error *error) {
+  Status status;
+  TRY(count_rows(hdf, CONNECTIVITY, 6, &grid->n_elements, error));
+  TRY(ARRAY_NEW(&grid->element, grid->n_elements, error));
+  TRY(hdf_read(hdf, CONNECTIVITY, HDF_INT, grid->element, error));
+  for (int e = 0; e < grid->n_elements; e++)
+    for (int k = 0; k < 6; k++)
+      if (grid->element[e][k] < 0 || grid->element[e][k] >= grid->n_nodes)
+        TRY(error_set(error, STATUS_IO, "element %d names node %d of %d", e, grid->element[e][k],
+                      grid->n_nodes));
+cleanup:
+  return status;
+}
+
+static Status read_grid_field(Hdf *hdf, size_t index, SnapshotGrid *grid, Error *error) {
+  Status status;
+  Text name = {0}, path = {0};
+  int values;
+  GridField *field = &grid->field[grid->n_fields];
+  TRY(hdf_name(hdf, POINT_DATA, index, &name, error));
+  TRY(text_append(&path, error, POINT_DATA "/%s", name.data));
+  TRY(count_rows(hdf, path.data, (size_t)grid->n_nodes, &field->components, error));
+  if (name.length >= sizeof field->name)
+    TRY(error_set(error, STATUS_IO, "%s: expected a name of less than %zu bytes", path.data,
+                  sizeof field->name));
+  memcpy(field->name, name.data, name.length + 1);
+  values = field->components * grid->n_nodes;
+  TRY(ARRAY_NEW(&field->values, values, error));
+  grid->n_fields++; /* from here on freed with the grid */
+  TRY(hdf_read(hdf, path.data, HDF_DOUBLE, field->values, error));
+cleanup:
+  text_free(&name);
+  text_free(&path);
+  return status;
+}
+
+Status snapshot_read_grid(const char *path, SnapshotGrid *grid, Error *error) {
+  Hdf *hdf;
+  size_t count;
+  *grid = (SnapshotGrid){0};
+  Status status = open_sealed(path, &hdf, error);
+  if (status != STATUS_OK) return status;
+  TRY(hdf_read(hdf, "/restart/t", HDF_DOUBLE, &grid->t, error));
+  TRY(count_rows(hdf, "/VTKHDF/Points", 3, &grid->n_nodes, error));
+  TRY(read_elements(hdf, grid, error));
+  TRY(hdf_count(hdf, POINT_DATA, &count, error));
+  for (size_t k = 0; k < count && k < GRID_MAX_FIELDS; k++) TRY(read_grid_field(hdf, k, grid, error));
+cleanup:
+  if (status != STATUS_OK) {
+    error_prefix(error, "%s: ", path);
+    snapshot_grid_free(grid);
+  }
+  hdf_free(hdf);
+  return status;
+}
+
+void snapshot_grid_free(SnapshotGrid *grid) {
+  array_free(grid->element);
+  for (size_t k = 0; k < grid->n_fields; k++) array_free(grid->field[k].values);
+  *grid = (SnapshotGrid){0};
+}
+
+const GridField *snapshot_grid_find(const SnapshotGrid *grid, const char *name) {
+  for (size_t k = 0; k < grid->n_fields; k++)
+    if (strcmp(grid->field[k].name, name) == 0) return &grid->field[k];
+  return NULL;
 }
 
 /* --- finding --- */

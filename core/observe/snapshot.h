@@ -59,6 +59,31 @@ Status snapshot_write(const char *path, const Snapshot *snapshot, Error *error);
  * another count, or the file holds one that is not in the list: it belongs to another scene. */
 Status snapshot_read_restart(const char *path, const RestartItem *items, size_t n_items, Error *error);
 
+/* A field as found in a file: its name, and values [n_nodes][components]. */
+typedef struct {
+  char name[32];
+  int components;
+  double *values;
+} GridField;
+
+enum { GRID_MAX_FIELDS = 16 };
+
+/* The surface that a snapshot shows, its positions X and x among the fields. */
+typedef struct {
+  double t;
+  int n_nodes, n_elements;
+  int (*element)[6]; /* [n_elements], as in mesh.h */
+  GridField field[GRID_MAX_FIELDS];
+  size_t n_fields;
+} SnapshotGrid;
+
+/* STATUS_IO: missing, cut-off, altered, of another format version, or not of this shape. */
+Status snapshot_read_grid(const char *path, SnapshotGrid *grid, Error *error);
+void snapshot_grid_free(SnapshotGrid *grid);
+
+/* The field of that name, or NULL. */
+const GridField *snapshot_grid_find(const SnapshotGrid *grid, const char *name);
+
 /* The resolved scene (appended to `scene`) and the time; either may be NULL. */
 Status snapshot_read_scene(const char *path, Text *scene, double *t, Error *error);
 

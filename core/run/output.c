@@ -99,8 +99,8 @@ cleanup:
 
 /* Removes what an earlier run has left in the folder: it would pass for a result of this one. */
 static Status clear_folder(const Output *output, Error *error) {
-  static const char *const names[] = {"summary.json", "series.xdmf", "snapshots.hdf.series", "capsule.svg",
-                                      "criteria.csv"};
+  static const char *const names[] = {"summary.json",         "report.html", "series.xdmf",
+                                      "snapshots.hdf.series", "capsule.svg", "criteria.csv"};
   Status status = STATUS_OK;
   int *numbers = NULL;
   size_t count;
@@ -306,6 +306,7 @@ Status output_resume(Output *output, Simulation *s, Record *record, Log *log, bo
   if (!*found) goto cleanup;
   count_anew(output, s);
   TRY(remove_named(output, "summary.json", error)); /* of how the earlier part ended */
+  TRY(remove_named(output, "report.html", error));
   TRY(write_resolved(output, error));
   TRY(join(&history, output, "history.csv", error));
   TRY(history_resume(&output->history, history.data, history_kind(s), output->history.bytes, error));

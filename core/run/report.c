@@ -4,6 +4,7 @@
 #include "observe/picture.h"
 #include "run/output.h"
 #include "run/record.h"
+#include "run/run_page.h"
 #include "run/simulation.h"
 
 static Status draw(Output *output, const Simulation *s, const Record *record, Text *svg, Error *error) {
@@ -45,6 +46,8 @@ Status report_folder(const char *folder, Text *written, Error *error) {
   TRY(draw(&output, &simulation, &record, &svg, error));
   TRY(file_join(written, folder, "capsule.svg", error));
   TRY(file_write(written->data, svg.data, svg.length, error));
+  TRY(run_page_write(folder, NULL, error));
+  TRY(text_append(written, error, "\n%s/report.html", folder));
 cleanup:
   output_close(&output);
   record_free(&record);

@@ -6,7 +6,7 @@
 #include "base/text.h"
 
 /* Draws the state of the newest snapshot into FOLDER/capsule.svg: coloured by d, or by Y without a damage
- * law. `written` receives the path. */
+ * law; and writes the page FOLDER/report.html. `written` receives the paths, one a line. */
 Status report_folder(const char *folder, Text *written, Error *error);
 
 #endif

@@ -7,6 +7,7 @@
 #include "observe/progress.h"
 #include "run/output.h"
 #include "run/record.h"
+#include "run/run_page.h"
 #include "run/simulation.h"
 #include <math.h>
 #include <omp.h>
@@ -271,6 +272,13 @@ static void conclude_failed(Run *run) {
   if (write_summary(run, &ignored) != STATUS_OK) log_note(&run->log, "while concluding: %s", ignored.text);
 }
 
+/* The page shows what is on disk already: without it the run is whole. */
+static void write_page(Run *run) {
+  Error ignored;
+  if (run_page_write(run->output.folder, &run->log, &ignored) != STATUS_OK)
+    log_warning(&run->log, "report.html is missing: %s", ignored.text);
+}
+
 static Status open_folder(Run *run, Text *folder, Error *error) {
   Status status = STATUS_OK;
   Text log_path = {0};
@@ -305,6 +313,7 @@ Status run_scene(const RunOptions *options, Outcome *outcome, Text *folder, Erro
   while (status == STATUS_OK && !run.done) status = advance(&run, error);
   if (status == STATUS_OK) status = conclude(&run, error);
   if (status != STATUS_OK) conclude_failed(&run);
+  if (run.scene.output.report) write_page(&run);
 cleanup:
   if (status != STATUS_OK) log_note(&run.log, "%s", error->text);
   *outcome = run.outcome;

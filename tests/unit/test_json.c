@@ -108,9 +108,48 @@ START_TEST(objects_left_open_or_closed_twice_are_told) {
 }
 END_TEST
 
+/* The vectors of RFC 4648, section 10. */
+START_TEST(bytes_are_base64) {
+  static const char *const vectors[][2] = {{"", "\"\"\n"},
+                                           {"f", "\"Zg==\"\n"},
+                                           {"fo", "\"Zm8=\"\n"},
+                                           {"foo", "\"Zm9v\"\n"},
+                                           {"foob", "\"Zm9vYg==\"\n"},
+                                           {"fooba", "\"Zm9vYmE=\"\n"},
+                                           {"foobar", "\"Zm9vYmFy\"\n"}};
+  for (size_t k = 0; k < sizeof vectors / sizeof *vectors; k++) {
+    begin();
+    json_bytes(&json, NULL, (const unsigned char *)vectors[k][0], strlen(vectors[k][0]));
+    ends_as(vectors[k][1]);
+  }
+}
+END_TEST
+
+START_TEST(many_bytes_lose_none) {
+  enum { N = 10000 };
+  static unsigned char zeros[N]; /* three zero bytes are "AAAA" */
+  begin();
+  json_bytes(&json, NULL, zeros, N);
+  ck_assert_int_eq(json_end(&json), STATUS_OK);
+  ck_assert_uint_eq(strspn(text.data + 1, "A"), 4 * (N / 3) + 2);
+  ck_assert_str_eq(text.data + 1 + 4 * (N / 3) + 2, "==\"\n");
+}
+END_TEST
+
+START_TEST(a_document_can_hold_another) {
+  begin();
+  json_open_object(&json, NULL);
+  json_raw(&json, "other", "{\"a\": 1}");
+  json_integer(&json, "next", 2);
+  json_close(&json);
+  ends_as("{\n  \"other\": {\"a\": 1},\n  \"next\": 2\n}\n");
+}
+END_TEST
+
 int main(void) {
   return suite_run("json",
                    (SuiteTests){values_of_every_kind_stand_in_order, what_is_not_finite_is_null,
                                 strings_and_keys_are_escaped, utf8_is_kept_and_what_is_not_utf8_is_replaced,
-                                objects_left_open_or_closed_twice_are_told, NULL});
+                                objects_left_open_or_closed_twice_are_told, bytes_are_base64,
+                                many_bytes_lose_none, a_document_can_hold_another, NULL});
 }

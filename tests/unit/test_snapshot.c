@@ -342,6 +342,65 @@ START_TEST(running_out_of_memory_is_told_and_leaves_nothing_behind) {
 }
 END_TEST
 
+static void same_field(const SnapshotGrid *grid, const char *name, int components, const double *values) {
+  const GridField *found = snapshot_grid_find(grid, name);
+  ck_assert_msg(found != NULL, "%s", name);
+  ck_assert_int_eq(found->components, components);
+  ck_assert_mem_eq(found->values, values, (size_t)(components * mesh.n_nodes) * sizeof *values);
+}
+
+START_TEST(the_grid_reads_back_bit_for_bit) {
+  Error error;
+  SnapshotGrid grid;
+  write_number(3);
+  ck_assert_msg(snapshot_read_grid(numbered(3), &grid, &error) == STATUS_OK, "%s", error.text);
+  ck_assert(grid.t == 0.1);
+  ck_assert_int_eq(grid.n_nodes, mesh.n_nodes);
+  ck_assert_int_eq(grid.n_elements, mesh.n_elements);
+  ck_assert_mem_eq(grid.element, mesh.element, (size_t)mesh.n_elements * sizeof *mesh.element);
+  ck_assert_uint_eq(grid.n_fields, 5);
+  same_field(&grid, "X", 3, mesh.X);
+  same_field(&grid, "x", 3, x);
+  same_field(&grid, "q", 3, x);
+  same_field(&grid, "velocity", 3, mesh.X);
+  same_field(&grid, "d", 1, field);
+  ck_assert_ptr_null(snapshot_grid_find(&grid, "T1"));
+  snapshot_grid_free(&grid);
+}
+END_TEST
+
+START_TEST(a_grid_that_is_missing_or_altered_is_told) {
+  Error error;
+  SnapshotGrid grid;
+  ck_assert_int_eq(snapshot_read_grid(scratch_path("missing"), &grid, &error), STATUS_IO);
+  write_number(3);
+  Text file = bytes_of(numbered(3));
+  file.data[file.length / 2] ^= 1;
+  put_bytes(numbered(4), file.data, file.length);
+  ck_assert_int_eq(snapshot_read_grid(numbered(4), &grid, &error), STATUS_IO);
+  ck_assert_ptr_nonnull(strstr(error.text, "snapshot_000004"));
+  ck_assert_uint_eq(grid.n_fields, 0);
+  text_free(&file);
+}
+END_TEST
+
+START_TEST(a_grid_without_memory_is_told) {
+  Error error;
+  SnapshotGrid grid;
+  Status status = STATUS_MEMORY;
+  int rounds = 0;
+  write_number(3);
+  while (status != STATUS_OK) {
+    array_fail_nth(++rounds);
+    status = snapshot_read_grid(numbered(3), &grid, &error);
+    if (status != STATUS_OK) ck_assert_int_eq(status, STATUS_MEMORY);
+  }
+  array_fail_nth(0);
+  snapshot_grid_free(&grid);
+  ck_assert_int_gt(rounds, 5);
+}
+END_TEST
+
 int main(void) {
   if (!scratch_make()) return EXIT_FAILURE;
   int result = suite_run(
@@ -352,7 +411,8 @@ int main(void) {
                    a_snapshot_of_another_scene_is_an_input_error_and_touches_nothing,
                    a_missing_file_and_a_folder_that_cannot_be_written_are_errors,
                    the_newest_whole_snapshot_is_found, a_folder_that_is_not_there_is_an_error,
-                   running_out_of_memory_is_told_and_leaves_nothing_behind, NULL});
+                   running_out_of_memory_is_told_and_leaves_nothing_behind, the_grid_reads_back_bit_for_bit,
+                   a_grid_that_is_missing_or_altered_is_told, a_grid_without_memory_is_told, NULL});
   scratch_remove();
   array_free(x);
   array_free(field);

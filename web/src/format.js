@@ -1,0 +1,18 @@
+// Numbers as text: six significant digits, no trailing zeros, e-notation where it is shorter to read.
+export function format(value, digits = 6) {
+  if (value == null || Number.isNaN(value)) return '–';
+  if (Number.isInteger(value) && Math.abs(value) < 1e9) return String(value);
+  const size = Math.abs(value);
+  if (size >= 1e-3 && size < 1e6) return String(Number(value.toPrecision(digits)));
+  return Number(value.toPrecision(digits)).toExponential().replace('e+', 'e');
+}
+
+export function bytes(count) {
+  return count < 1e6 ? `${Math.round(count / 1e3)} kB` : `${(count / 1e6).toFixed(1)} MB`;
+}
+
+export function duration(seconds) {
+  if (seconds < 60) return `${format(seconds, 3)} s`;
+  if (seconds < 3600) return `${Math.floor(seconds / 60)} min ${Math.round(seconds % 60)} s`;
+  return `${Math.floor(seconds / 3600)} h ${Math.round((seconds % 3600) / 60)} min`;
+}

@@ -1,0 +1,71 @@
+// The snapshots of a run, unpacked as they are asked for.
+import {unpack, unpackIndices} from './decode.js';
+import {fieldsOf} from './fields.js';
+import {Surface, cutsFor} from './surface.js';
+
+export class Model {
+  constructor(data) {
+    const element = unpackIndices(data.element);
+    this.data = data;
+    this.frames = data.frames;
+    this.surface = new Surface(element, unpack(data.X), cutsFor(element.length / 6));
+    this.fields = fieldsOf(this.frames);
+    this.kept = this.frames.map(() => ({}));
+    this.ranges = {};
+  }
+
+  keep(frame, name, make) {
+    return (this.kept[frame][name] ??= make());
+  }
+
+  array(frame, name) {
+    return this.keep(frame, name, () => unpack(this.frames[frame][name]));
+  }
+
+  // {position, normal, area} at the drawing points
+  shape(frame) {
+    return this.keep(frame, 'shape', () => this.surface.place(this.array(frame, 'x')));
+  }
+
+  values(frame, field) {
+    return this.keep(frame, `values of ${field.id}`, () => field.values(this, frame));
+  }
+
+  // Smallest and largest value of one frame, or of all (frame == null).
+  range(field, frame) {
+    if (frame != null) return widened(extent(this.values(frame, field)), field.signed);
+    this.ranges[field.id] ??= this.frames
+      .map((_, k) => extent(this.values(k, field)))
+      .reduce((a, b) => [Math.min(a[0], b[0]), Math.max(a[1], b[1])]);
+    return widened(this.ranges[field.id], field.signed);
+  }
+
+  // Largest distance from the centre at any time: what a picture must have room for.
+  reach() {
+    let reach = 1;
+    this.frames.forEach(({center}, k) => {
+      const x = this.array(k, 'x');
+      for (let i = 0; i < x.length; i += 3)
+        reach = Math.max(reach, Math.hypot(x[i] - center[0], x[i + 1] - center[1], x[i + 2] - center[2]));
+    });
+    return reach;
+  }
+}
+
+function extent(values) {
+  let low = Infinity, high = -Infinity;
+  for (const value of values) if (value < low) low = value;
+  for (const value of values) if (value > high) high = value;
+  return [low, high];
+}
+
+// A colour bar needs some width: more than the round-off of 16 bits.  With a sign it is symmetric about 0.
+function widened([low, high], signed) {
+  if (!(low <= high)) return [0, 1];
+  if (signed && low < 0) {
+    const size = Math.max(-low, high);
+    [low, high] = [-size, size];
+  }
+  const least = 1e-4 * Math.max(Math.abs(low), Math.abs(high));
+  return high - low > least ? [low, high] : [low, low + (least || 1)];
+}

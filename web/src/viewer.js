@@ -1,0 +1,243 @@
+// The panel of the capsule: picture, colours, time, views.
+import {MAPS, PLAIN, colorAt, cssGradient, cssVariable, onTheme} from './colors.js';
+import {choice, h, toggle} from './dom.js';
+import {format} from './format.js';
+import {Scene3d} from './scene3d.js';
+import {Vector3} from 'three';
+
+const TINTS = 256;
+
+const toLinear = c => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4);
+
+function tintsOf(map) {
+  return Array.from({length: TINTS}, (_, k) => colorAt(map, k / (TINTS - 1)).map(toLinear));
+}
+
+// About `count` round numbers in a range.
+function ticks([low, high], count = 5) {
+  const rough = (high - low) / count, power = 10 ** Math.floor(Math.log10(rough));
+  const step = power * [1, 2, 5, 10].find(factor => factor * power >= rough);
+  const first = Math.ceil(low / step - 1e-9);
+  return Array.from({length: Math.floor(high / step + 1e-9) - first + 1}, (_, k) => Number(((first + k) * step).toPrecision(12)));
+}
+
+export class Viewer {
+  // marks: {label, X} or null; flow: kind of the flow; start: wishes from the address ({frame, color, ...})
+  constructor(model, {mark, flow, vorticity, start = {}}) {
+    Object.assign(this, {model, mark, flow, vorticity});
+    const {fields} = model, wanted = fields.find(field => field.id === start.color);
+    this.field = wanted ?? (start.color === 'none' ? null : fields[0]);
+    this.map = MAPS[0];
+    this.isSameRange = true;
+    this.frame = Math.min(Number(start.frame ?? model.frames.length - 1) || 0, model.frames.length - 1);
+    this.listeners = [];
+    this.build();
+    this.open3d();
+    this.look(start.view ?? 'oblique');
+    this.show(this.frame);
+  }
+
+  onframe(listener) {
+    this.listeners.push(listener);
+    listener(this.model.frames[this.frame].t);
+  }
+
+  // ---- page ----
+
+  build() {
+    const {model} = this, last = model.frames.length - 1;
+    this.picture = h('div', {class: 'picture'});
+    this.labels = h('div', {class: 'labels'});
+    this.picture.append(this.labels);
+    this.readout = h('output', {class: 'readout'});
+    this.time = h('output', {class: 'time', id: 'time'});
+    this.slider = h('input', {type: 'range', id: 'slider', min: 0, max: last, step: 1, value: this.frame, 'aria-label': 'time',
+      oninput: () => this.show(Number(this.slider.value))});
+    this.button = h('button', {class: 'play', 'aria-label': 'play', onclick: () => this.play(!this.timer)}, '▶');
+    this.bar = h('div', {class: 'bar'});
+    const views = [['oblique', 'oblique'], ['shear', 'along vorticity'], ['e2', 'along e₂'], ['top', 'along z']];
+    this.element = h('div', {class: 'viewer'},
+      h('div', {class: 'tools'},
+        choice('colour', [...model.fields.map(({id, label}) => [id, label]), ['none', 'shape only']], this.field?.id ?? 'none', id => {
+          this.field = model.fields.find(field => field.id === id) ?? null;
+          this.paint();
+        }),
+        choice('map', MAPS.map(name => [name, name]), this.map, name => (this.map = name, this.paint())),
+        choice('range', [['all', 'all times'], ['this', 'this time']], 'all', which => (this.isSameRange = which === 'all', this.paint())),
+        h('span', {class: 'buttons', role: 'group', 'aria-label': 'view'},
+          views.map(([name, text]) => h('button', {onclick: () => this.look(name)}, text)))),
+      this.picture,
+      this.bar,
+      h('div', {class: 'player'}, this.button, this.slider, this.time),
+      h('div', {class: 'tools'},
+        toggle('reference beside', true, on => this.showReference(on)),
+        this.vorticity && toggle('axes', true, on => (this.scene.panes.forEach(pane => (pane.axes.visible = on)), this.scene.render())),
+        toggle('elements', false, on => (this.scene.panes.forEach(pane => (pane.mesh.visible = on)), this.scene.render())),
+        h('button', {onclick: () => this.save()}, 'save picture'),
+        this.readout),
+      h('p', {class: 'note'}, this.note()));
+  }
+
+  note() {
+    const {frames, snapshots} = this.model.data;
+    return `Drag to turn, scroll or pinch to zoom; both capsules are at one scale. Colours are values at the nodes, means over the elements around; d_max is over the integration points. ` +
+      (frames.length < snapshots ? `${frames.length} of ${snapshots} snapshots are in this page, to keep it small.` :
+        `${snapshots} snapshot${snapshots === 1 ? '' : 's'}.`);
+  }
+
+  open3d() {
+    const {model} = this;
+    this.scene = new Scene3d(this.picture, model.surface, model.reach(), () => this.placeLabels());
+    this.scene.showReference = true;
+    this.vertex = this.mark ? model.surface.nearest(this.mark.X) : null;
+    for (const pane of this.scene.panes) pane.dot.visible = this.vertex !== null;
+    const {position, normal} = model.surface.reference;
+    this.scene.reference.place(position, normal, [0, 0, 0]);
+    this.picture.addEventListener('pointermove', event => this.hover(event));
+    this.picture.addEventListener('pointerleave', () => (this.readout.textContent = ''));
+    onTheme(() => {
+      for (const pane of this.scene.panes) pane.outline.material.color.set(cssVariable('--outline'));
+      for (const rod of this.scene.vorticity) rod.material.color.set(cssVariable('--vorticity'));
+      this.scene.majorAxis.material.color.set(cssVariable('--major'));
+      this.scene.draw();
+    });
+  }
+
+  // ---- state ----
+
+  show(frame) {
+    const {model, scene} = this;
+    this.frame = frame;
+    const {t, center, e1, L} = model.frames[frame], {position, normal} = model.shape(frame);
+    scene.deformed.place(position, normal, center);
+    const reach = 1.35;
+    for (const rod of scene.vorticity) rod.visible = this.vorticity !== null;
+    if (this.vorticity) {
+      scene.vorticity[0].userData.turn(this.vorticity, 2 * reach);
+      scene.vorticity[1].userData.turn(this.vorticity, L[2] + 2 * (reach - 1));
+    }
+    scene.majorAxis.visible = e1 !== null;
+    if (e1) scene.majorAxis.userData.turn(e1, L[0] + 2 * (reach - 1));
+    if (this.vertex !== null) for (const pane of scene.panes) pane.dot.position.copy(pane.point(this.vertex));
+    this.slider.value = frame;
+    this.slider.setAttribute('aria-valuetext', `t = ${format(t, 4)}`);
+    this.time.textContent = `t = ${format(t, 5)}`;
+    this.paint();
+    for (const listener of this.listeners) listener(t);
+  }
+
+  showReference(on) {
+    this.scene.showReference = on;
+    this.picture.classList.toggle('alone', !on);
+    this.scene.draw();
+  }
+
+  showTime(t) {
+    const distance = this.model.frames.map(frame => Math.abs(frame.t - t));
+    this.show(distance.indexOf(Math.min(...distance)));
+  }
+
+  play(on) {
+    clearInterval(this.timer);
+    this.timer = undefined;
+    this.button.textContent = on ? '❚❚' : '▶';
+    this.button.setAttribute('aria-label', on ? 'pause' : 'play');
+    if (!on) return;
+    const last = this.model.frames.length - 1;
+    if (this.frame === last) this.show(0);
+    this.timer = setInterval(() => (this.frame < last ? this.show(this.frame + 1) : this.play(false)),
+      Math.min(400, Math.max(40, 5000 / (last + 1))));
+  }
+
+  look(name) {
+    const side = this.mark && this.mark.X[1] > 0.1 ? 1 : -1, e2 = this.model.frames[this.frame].e2;
+    const from = {oblique: [0.55 * -side, side, 0.5], shear: [0, -1, 0], e2: e2 ?? [0, 0, 1], top: [0, -1e-4, 1]};
+    this.scene.lookFrom(from[name] ?? from.oblique);
+  }
+
+  // ---- colours ----
+
+  tints() {
+    return tintsOf(this.field?.signed && this.limits[0] < 0 ? 'signed' : this.map);
+  }
+
+  paint() {
+    const {model, field} = this, n = model.surface.nVertices, colors = new Float32Array(3 * n);
+    const values = field && model.values(this.frame, field);
+    this.limits = field && model.range(field, this.isSameRange ? null : this.frame);
+    const tints = field && this.tints(), plain = PLAIN.map(toLinear);
+    for (let v = 0; v < n; v++) {
+      const fraction = field ? (values[v] - this.limits[0]) / (this.limits[1] - this.limits[0]) : NaN;
+      colors.set(Number.isNaN(fraction) ? plain : tints[Math.round((TINTS - 1) * Math.min(Math.max(fraction, 0), 1))], 3 * v);
+    }
+    for (const pane of this.scene.panes) pane.paint(colors);
+    this.drawBar();
+    this.scene.draw();
+  }
+
+  drawBar() {
+    this.bar.replaceChildren();
+    if (!this.field) return;
+    const [low, high] = this.limits, map = this.field.signed && low < 0 ? 'signed' : this.map;
+    this.bar.append(
+      h('span', {class: 'label'}, this.field.label),
+      h('div', {class: 'gradient', style: `background: ${cssGradient(map)}`}),
+      h('div', {class: 'ticks'}, ticks(this.limits).map(value =>
+        h('span', {style: `left: ${(100 * (value - low)) / (high - low)}%`}, format(value, 4)))));
+  }
+
+  // ---- labels over the picture ----
+
+  placeLabels() {
+    const {scene, model} = this;
+    if (!scene) return;
+    this.labels.replaceChildren();
+    const put = (pane, point, text, kind) => {
+      const place = scene.project(pane, point);
+      if (place) this.labels.append(h('span', {class: kind, style: `left: ${place.x}px; top: ${place.y}px`}, text));
+    };
+    for (const [pane, box] of scene.layout()) {
+      const title = pane === scene.reference ? 'reference shape' : `t = ${format(model.frames[this.frame].t, 5)}`;
+      this.labels.append(h('span', {class: 'title', style: `left: ${box.x + box.width / 2}px; top: ${box.y + box.height - 24}px`}, title));
+    }
+    const {e1, L} = model.frames[this.frame];
+    const axis = this.vorticity && new Vector3(...this.vorticity);
+    const isAcross = axis && Math.abs(axis.dot(scene.camera.position.clone().normalize())) < 0.95; // else seen end-on
+    if (scene.reference.axes.visible && isAcross) {
+      put(scene.deformed, axis.clone().multiplyScalar(-(L[2] / 2 + 0.48)), 'vorticity', 'axis vorticity');
+      put(scene.reference, axis.clone().multiplyScalar(-1.5), 'vorticity', 'axis vorticity');
+    }
+    if (scene.reference.axes.visible && e1) put(scene.deformed, new Vector3(...e1).multiplyScalar(L[0] / 2 + 0.45), 'e₁', 'axis major');
+    if (this.vertex !== null)
+      for (const pane of scene.panes) put(pane, pane.point(this.vertex), this.mark.label, 'mark');
+    this.placeTriad();
+  }
+
+  // Directions of the flow in the corner.
+  placeTriad() {
+    const size = 30, corner = {x: 66, y: this.picture.clientHeight - 50};
+    const names = this.flow === 'simple_shear' ? ['x (flow)', 'y', 'z (gradient)'] : ['x', 'y', 'z'];
+    const svg = [0, 1, 2].map(k => {
+      const p = new Vector3(...[0, 1, 2].map(c => Number(c === k))).applyQuaternion(this.scene.camera.quaternion.clone().invert());
+      const x = size * p.x, y = -size * p.y, length = Math.hypot(x, y);
+      const label = length > 6 ? `<text x="${x + (10 * x) / length}" y="${y + (12 * y) / length + 4}" text-anchor="${x > 8 ? 'start' : x < -8 ? 'end' : 'middle'}">${names[k]}</text>` : '';
+      return `<path d="M0 0L${x} ${y}"/>${label}`;
+    });
+    const triad = h('div', {class: 'triad', style: `left: ${corner.x}px; top: ${corner.y}px`});
+    triad.innerHTML = `<svg overflow="visible" width="1" height="1">${svg.join('')}</svg>`;
+    this.labels.append(triad);
+  }
+
+  hover(event) {
+    if (event.buttons || !this.field) return;
+    const box = this.picture.getBoundingClientRect();
+    const found = this.scene.pick(event.clientX - box.left, event.clientY - box.top);
+    this.readout.textContent = found ? `${this.field.label.split(' (')[0]} = ${format(this.model.values(this.frame, this.field)[found.vertex], 4)}` : '';
+  }
+
+  save() {
+    this.scene.render();
+    const link = h('a', {href: this.scene.canvas.toDataURL('image/png'), download: `capsule-t${format(this.model.frames[this.frame].t, 4)}.png`});
+    link.click();
+  }
+}
