@@ -2,6 +2,7 @@
  * name; nothing here interprets content. */
 #include "base/file.h"
 
+#include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>
@@ -99,6 +100,21 @@ Status file_make_folder(const char *path, Error *error) {
 cleanup:
   text_free(&part);
   return status;
+}
+
+/* What a link points to is left alone. */
+void file_remove_folder(const char *path) {
+  struct stat info;
+  DIR *entries = lstat(path, &info) == 0 && S_ISDIR(info.st_mode) ? opendir(path) : NULL;
+  for (struct dirent *entry; entries && (entry = readdir(entries));) {
+    if (strcmp(entry->d_name, ".") == 0 || strcmp(entry->d_name, "..") == 0) continue;
+    Error error;
+    Text inner = {0};
+    if (file_join(&inner, path, entry->d_name, &error) == STATUS_OK) file_remove_folder(inner.data);
+    text_free(&inner);
+  }
+  if (entries) closedir(entries);
+  remove(path);
 }
 
 Status file_hash(const char *path, uint64_t *hash, Error *error) {

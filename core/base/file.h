@@ -22,6 +22,9 @@ Status file_publish(const char *temporary, const char *path, Error *error);
 /* Makes a folder and its parents; an existing folder is fine, anything else in the way is an error. */
 Status file_make_folder(const char *path, Error *error);
 
+/* Removes a folder with all that it holds, as far as that can be removed. */
+void file_remove_folder(const char *path);
+
 /* 64-bit FNV-1a of a file's bytes: identifies a law's shared object in resolved.yaml and in snapshots. */
 Status file_hash(const char *path, uint64_t *hash, Error *error);
 

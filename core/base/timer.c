@@ -1,5 +1,6 @@
 #include "base/timer.h"
 
+#include <stdlib.h>
 #include <time.h>
 
 static double seconds(clockid_t clock) {
@@ -13,4 +14,14 @@ double timer_wall_seconds(void) {
 }
 double timer_cpu_seconds(void) {
   return seconds(CLOCK_PROCESS_CPUTIME_ID);
+}
+
+static int compare(const void *a, const void *b) {
+  const double x = *(const double *)a, y = *(const double *)b;
+  return (x > y) - (x < y);
+}
+
+double timer_median(double *times, int n) {
+  qsort(times, (size_t)n, sizeof *times, compare);
+  return times[n / 2];
 }

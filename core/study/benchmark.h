@@ -5,9 +5,9 @@
 
 #include "base/status.h"
 #include "base/text.h"
+#include <mlaw/mlaw.h>
 #include <stdbool.h>
 #include <stddef.h>
-#include <stdio.h>
 
 /* ---- one evaluation of the velocity ---- */
 
@@ -38,19 +38,38 @@ typedef struct {
 
 Status benchmark_layer(LayerError *layer, Error *error);
 
+/* ---- the same law compiled in ---- */
+
+typedef struct {
+  double plugin_microseconds, compiled_in_microseconds; /* of one internal force, 1280 elements, one thread */
+} LawCost;
+
+/* `compiled_in`: the elastic law of the reference case, linked into the program. */
+Status benchmark_law(const mlaw_energy *compiled_in, LawCost *cost, Error *error);
+
 /* ---- whole runs ---- */
+
+typedef struct {
+  double t, D12, beta, L[3], area_strain, d_max;
+  double Y_max; /* up to t */
+} RunState;
+
+enum { BENCHMARK_STATES = 4, BENCHMARK_RUNS = 5 };
 
 typedef struct {
   const char *label;
   const char *const *sets; /* on top of the reference case, as with --set; ended by NULL */
+  const double *times;     /* [n_times] rising, at most BENCHMARK_STATES: the run ends at the last */
+  size_t n_times;
   int threads;
   /* Found: */
-  double seconds, cpu_seconds;
+  double seconds, cpu_seconds; /* median; a short run is repeated, at most BENCHMARK_RUNS times */
   long long evaluations, pairs;
-  double t, D12, beta, L[3], area_strain, d_max, Y_max;
+  RunState state[BENCHMARK_STATES]; /* at `times` */
 } RunCost;
 
-/* Runs without outputs. */
+/* Runs without outputs: a capsule of neo-Hookean membrane with threshold damage in simple shear at Ca = 0.7,
+ * 1280 elements, but for what `sets` says. */
 Status benchmark_run(RunCost *run, Error *error);
 
 /* ---- the machine ---- */

@@ -164,28 +164,34 @@ START_TEST(paths_join_and_part) {
 }
 END_TEST
 
-static void remove_tree(const char *path) {
-  DIR *entries = opendir(path);
-  for (struct dirent *entry; entries && (entry = readdir(entries));) {
-    if (strcmp(entry->d_name, ".") == 0 || strcmp(entry->d_name, "..") == 0) continue;
-    Error error;
-    Text inner = {0};
-    if (file_join(&inner, path, entry->d_name, &error) == STATUS_OK) remove_tree(inner.data);
-    text_free(&inner);
-  }
-  if (entries) closedir(entries);
-  remove(path);
+START_TEST(a_folder_goes_with_all_it_holds_and_nothing_that_it_links_to) {
+  Error error;
+  Text kept = {0}, link = {0};
+  ck_assert_int_eq(file_make_folder(in_folder("kept"), &error), STATUS_OK);
+  ck_assert_int_eq(file_write(in_folder("kept/file"), "x", 1, &error), STATUS_OK);
+  ck_assert_int_eq(file_make_folder(in_folder("gone/deep"), &error), STATUS_OK);
+  ck_assert_int_eq(file_write(in_folder("gone/deep/file"), "x", 1, &error), STATUS_OK);
+  ck_assert_int_eq(file_join(&kept, folder, "kept", &error), STATUS_OK);
+  ck_assert_int_eq(file_join(&link, folder, "gone/link", &error), STATUS_OK);
+  ck_assert_int_eq(symlink(kept.data, link.data), 0);
+  file_remove_folder(in_folder("gone"));
+  ck_assert(file_exists(in_folder("kept/file")));
+  ck_assert_int_ne(access(in_folder("gone"), F_OK), 0);
+  text_free(&kept);
+  text_free(&link);
 }
+END_TEST
 
 int main(void) {
   if (!mkdtemp(folder)) return EXIT_FAILURE;
   int result = suite_run(
-      "file", (SuiteTests){what_is_written_is_read_back, an_empty_file_reads_as_an_empty_string,
-                           a_file_beyond_the_limit_is_refused, missing_files_and_folders_are_named_errors,
-                           a_new_version_replaces_the_old_and_leaves_nothing_else,
-                           a_write_that_fails_leaves_no_temporary_file,
-                           a_finished_temporary_file_gets_its_final_name, folders_are_made_with_their_parents,
-                           hashes_are_those_of_the_published_table, paths_join_and_part, NULL});
-  remove_tree(folder);
+      "file",
+      (SuiteTests){what_is_written_is_read_back, an_empty_file_reads_as_an_empty_string,
+                   a_file_beyond_the_limit_is_refused, missing_files_and_folders_are_named_errors,
+                   a_new_version_replaces_the_old_and_leaves_nothing_else,
+                   a_write_that_fails_leaves_no_temporary_file, a_finished_temporary_file_gets_its_final_name,
+                   folders_are_made_with_their_parents, hashes_are_those_of_the_published_table,
+                   paths_join_and_part, a_folder_goes_with_all_it_holds_and_nothing_that_it_links_to, NULL});
+  file_remove_folder(folder);
   return result;
 }

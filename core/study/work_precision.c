@@ -1,0 +1,150 @@
+#include "study/work_precision.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static const double PI = 3.14159265358979323846;
+
+WorkError work_error(const RunState *state, const RunState *reference) {
+  WorkError error = {.D12 = fabs(state->D12 / reference->D12 - 1),
+                     .d_max = fabs(state->d_max - reference->d_max)};
+  error.shape = fmax(error.D12, fabs(state->beta - reference->beta) / PI);
+  for (int i = 0; i < 3; i++) error.shape = fmax(error.shape, fabs(state->L[i] / reference->L[i] - 1));
+  error.shape = fmax(error.shape, fabs(state->area_strain - reference->area_strain));
+  return error;
+}
+
+/* --- the grid --- */
+
+/* Time errors are held against TIGHT, those of quadrature against the method `reference` at USUAL. */
+static const char TIGHT[] = "1e-6", USUAL[] = "1e-4";
+static const char FAST[] = "fast", DIRECT[] = "direct", REFERENCE[] = "reference", RK2[] = "rk2",
+                  RKC2[] = "rkc2";
+static const char *const TOLERANCES[] = {"1e-2", "1e-3", "1e-4", "1e-5", "1e-6"};
+enum { N_TOLERANCES = sizeof TOLERANCES / sizeof *TOLERANCES };
+
+static bool is_in_grid(const WorkKnobs *knobs, bool full) {
+  const bool usual = strcmp(knobs->tolerance, USUAL) == 0, tight = strcmp(knobs->tolerance, TIGHT) == 0;
+  if (knobs->integrator == RK2) return usual && (knobs->method == FAST || (full && knobs->subdivisions < 4));
+  if (knobs->method == FAST) return true;
+  return usual || (full && !tight && knobs->subdivisions < 4);
+}
+
+static int build_grid(bool full, WorkPoint *points) {
+  static const char *const methods[] = {FAST, DIRECT, REFERENCE}, *const integrators[] = {RK2, RKC2};
+  int n = 0;
+  for (int level = 2; level <= (full ? 4 : 3); level++)
+    for (int m = 0; m < 3; m++)
+      for (int i = 0; i < 2; i++)
+        for (int t = 0; t < N_TOLERANCES; t++) {
+          const WorkKnobs knobs = {level, methods[m], integrators[i], TOLERANCES[t]};
+          if (is_in_grid(&knobs, full)) points[n++] = (WorkPoint){.knobs = knobs};
+        }
+  return n;
+}
+
+static Status run_point(const WorkCase *work, int threads, void (*progress)(const char *), WorkPoint *point,
+                        Error *error) {
+  const WorkKnobs *knobs = &point->knobs;
+  char mesh[40], method[40], integrator[40], tolerance[40], line[160];
+  const char *sets[16];
+  size_t n = 0;
+  snprintf(mesh, sizeof mesh, "capsule.mesh.subdivisions=%d", knobs->subdivisions);
+  snprintf(method, sizeof method, "fluid.method=%s", knobs->method);
+  snprintf(integrator, sizeof integrator, "time.integrator=%s", knobs->integrator);
+  snprintf(tolerance, sizeof tolerance, "time.tolerance=%s", knobs->tolerance);
+  for (; work->sets[n]; n++) sets[n] = work->sets[n];
+  sets[n++] = mesh;
+  sets[n++] = method;
+  sets[n++] = integrator;
+  sets[n++] = tolerance;
+  sets[n] = NULL;
+  snprintf(line, sizeof line, "%s: %d elements, %s, %s %s", work->label, 20 << 2 * knobs->subdivisions,
+           knobs->method, knobs->integrator, knobs->tolerance);
+  if (progress) progress(line);
+  point->run = (RunCost){.sets = sets, .times = work->times, .n_times = work->n_times, .threads = threads};
+  const Status status = benchmark_run(&point->run, error);
+  point->run.sets = NULL; /* gone with this call */
+  return status;
+}
+
+/* --- errors --- */
+
+static const RunState *last_state(const WorkPoint *point) {
+  return &point->run.state[point->run.n_times - 1];
+}
+
+static const RunState *find_state(const WorkPrecision *result, WorkKnobs knobs) {
+  for (int k = 0; k < result->n; k++) {
+    const WorkKnobs *other = &result->point[k].knobs;
+    if (other->subdivisions == knobs.subdivisions && strcmp(other->method, knobs.method) == 0 &&
+        strcmp(other->integrator, knobs.integrator) == 0 && strcmp(other->tolerance, knobs.tolerance) == 0)
+      return last_state(&result->point[k]);
+  }
+  return NULL;
+}
+
+/* Each part varies one knob and keeps the others where they are known best or matter least. */
+static void split_error(WorkPrecision *result, WorkPoint *point) {
+  const WorkKnobs *knobs = &point->knobs;
+  const RunState *best = find_state(result, (WorkKnobs){knobs->subdivisions, FAST, RKC2, TIGHT});
+  const RunState *stepped =
+      find_state(result, (WorkKnobs){knobs->subdivisions, FAST, knobs->integrator, knobs->tolerance});
+  const RunState *summed = find_state(result, (WorkKnobs){knobs->subdivisions, knobs->method, RKC2, USUAL});
+  const RunState *exact = find_state(result, (WorkKnobs){knobs->subdivisions, REFERENCE, RKC2, USUAL});
+  point->error = work_error(last_state(point), last_state(&result->reference));
+  point->space = work_error(best, last_state(&result->reference)).shape;
+  point->time = work_error(stepped, best).shape;
+  point->quadrature = work_error(summed, exact).shape;
+}
+
+void work_mark_front(WorkPoint *points, int n) {
+  for (int k = 0; k < n; k++) {
+    points[k].is_on_front = true;
+    for (int j = 0; j < n; j++)
+      if (points[j].run.cpu_seconds < points[k].run.cpu_seconds &&
+          points[j].error.shape <= points[k].error.shape)
+        points[k].is_on_front = false;
+  }
+}
+
+const WorkPoint *work_cheapest(const WorkPoint *points, int n, size_t offset, double limit) {
+  const WorkPoint *best = NULL;
+  for (int k = 0; k < n; k++) {
+    const double error = *(const double *)((const char *)&points[k].error + offset);
+    if (error <= limit && (!best || points[k].run.cpu_seconds < best->run.cpu_seconds)) best = &points[k];
+  }
+  return best;
+}
+
+const char *work_dominating(const WorkPoint *point) {
+  if (point->space >= point->quadrature && point->space >= point->time) return "space";
+  return point->quadrature >= point->time ? "quadrature" : "time";
+}
+
+double work_exponent(int n, const double *x, const double *y) {
+  double mean_x = 0, mean_y = 0, xx = 0, xy = 0;
+  for (int k = 0; k < n; k++) {
+    mean_x += log(x[k]) / n;
+    mean_y += log(y[k]) / n;
+  }
+  for (int k = 0; k < n; k++) {
+    xx += pow(log(x[k]) - mean_x, 2);
+    xy += (log(x[k]) - mean_x) * (log(y[k]) - mean_y);
+  }
+  return n < 2 ? NAN : xy / xx;
+}
+
+Status work_precision(const WorkCase *work, bool full, int threads, void (*progress)(const char *line),
+                      WorkPrecision *result, Error *error) {
+  Status status = STATUS_OK;
+  *result = (WorkPrecision){.reference = {.knobs = {full ? 5 : 4, FAST, RKC2, "1e-5"}}};
+  result->n = build_grid(full, result->point);
+  TRY(run_point(work, threads, progress, &result->reference, error));
+  for (int k = 0; k < result->n; k++) TRY(run_point(work, threads, progress, &result->point[k], error));
+  for (int k = 0; k < result->n; k++) split_error(result, &result->point[k]);
+  work_mark_front(result->point, result->n);
+cleanup:
+  return status;
+}

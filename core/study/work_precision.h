@@ -1,0 +1,67 @@
+/* Run time against error: one case on a grid of mesh, method, integrator and tolerance, each point compared
+ * with a run on a finer mesh, and the choices that follow from it. */
+#ifndef CAPSELLA_STUDY_WORK_PRECISION_H
+#define CAPSELLA_STUDY_WORK_PRECISION_H
+
+#include "base/status.h"
+#include "study/benchmark.h"
+#include <stdbool.h>
+#include <stddef.h>
+
+/* The knobs that a user has. */
+typedef struct {
+  int subdivisions;
+  const char *method, *integrator, *tolerance; /* as in a scene */
+} WorkKnobs;
+
+/* Differences to another state. */
+typedef struct {
+  double D12;   /* relative */
+  double shape; /* largest of those of D12 and the three axes (relative), beta/pi and the area strain */
+  double d_max; /* absolute */
+} WorkError;
+
+WorkError work_error(const RunState *state, const RunState *reference);
+
+typedef struct {
+  WorkKnobs knobs;
+  RunCost run;
+  WorkError error;                /* of the last state */
+  double space, quadrature, time; /* the parts of error.shape, each found by turning one knob */
+  bool is_on_front;               /* no point is both cheaper and more accurate in shape */
+} WorkPoint;
+
+typedef struct {
+  const char *label;
+  const char *const *sets; /* on top of the reference case; ended by NULL */
+  const double *times;     /* [n_times] */
+  size_t n_times;
+} WorkCase;
+
+enum { WORK_POINTS = 48 };
+
+typedef struct {
+  WorkPoint point[WORK_POINTS];
+  int n;
+  WorkPoint reference; /* on the finest mesh */
+} WorkPrecision;
+
+/* Runs the grid: meshes up to 5120 elements against 20480; without `full`, up to 1280 against 5120 and fewer
+ * points.  `progress` (may be NULL) is told each run. */
+Status work_precision(const WorkCase *work, bool full, int threads, void (*progress)(const char *line),
+                      WorkPrecision *result, Error *error);
+
+/* Marks the points on the Pareto front of CPU seconds and error in shape. */
+void work_mark_front(WorkPoint *points, int n);
+
+/* The point of least CPU seconds with an error of the given kind at most `limit`; NULL: there is none.
+ * `offset` is offsetof(WorkError, ...). */
+const WorkPoint *work_cheapest(const WorkPoint *points, int n, size_t offset, double limit);
+
+/* "space", "quadrature" or "time": the largest part. */
+const char *work_dominating(const WorkPoint *point);
+
+/* The exponent of y ~ x^p by least squares of the logarithms; NAN for fewer than two points. */
+double work_exponent(int n, const double *x, const double *y);
+
+#endif

@@ -1,0 +1,76 @@
+/* What is concluded from a grid of run time against error; the runs themselves are those of the benchmark. */
+#include "study/work_precision.h"
+
+#include "suite.h"
+#include <math.h>
+#include <string.h>
+
+/* Points of given cost and error, without runs. */
+static WorkPoint point(double cpu_seconds, double shape, double D12) {
+  return (WorkPoint){.run = {.cpu_seconds = cpu_seconds}, .error = {.shape = shape, .D12 = D12}};
+}
+
+START_TEST(errors_are_relative_but_for_angle_area_and_damage) {
+  const RunState best = {.D12 = 0.5, .beta = 0.3, .L = {3, 1, 2}, .area_strain = 0.25, .d_max = 0.2};
+  RunState state = best;
+  state.D12 = 0.501;
+  WorkError error = work_error(&state, &best);
+  ck_assert_double_eq_tol(error.D12, 2e-3, 1e-12);
+  ck_assert_double_eq_tol(error.shape, 2e-3, 1e-12);
+  ck_assert_double_eq(error.d_max, 0);
+  state.L[0] = 3.03;
+  ck_assert_double_eq_tol(work_error(&state, &best).shape, 1e-2, 1e-12);
+  state.beta = 0.3 - 0.02 * 3.14159265358979;
+  ck_assert_double_eq_tol(work_error(&state, &best).shape, 2e-2, 1e-12);
+  state.area_strain = 0.22;
+  ck_assert_double_eq_tol(work_error(&state, &best).shape, 3e-2, 1e-12);
+  state.d_max = 0.19;
+  ck_assert_double_eq_tol(work_error(&state, &best).d_max, 1e-2, 1e-12);
+  ck_assert_double_eq_tol(work_error(&state, &best).shape, 3e-2, 1e-12);
+}
+END_TEST
+
+START_TEST(the_front_holds_what_nothing_beats) {
+  WorkPoint points[] = {point(1, 1e-2, 0), point(2, 1e-3, 0), point(3, 2e-3, 0), point(4, 1e-4, 0),
+                        point(5, 1e-4, 0)};
+  const bool expected[] = {true, true, false, true, false};
+  work_mark_front(points, 5);
+  for (int k = 0; k < 5; k++) ck_assert_int_eq(points[k].is_on_front, expected[k]);
+}
+END_TEST
+
+START_TEST(the_cheapest_point_within_an_error_is_found) {
+  const WorkPoint points[] = {point(1, 1e-2, 1e-3), point(2, 1e-3, 1e-2), point(4, 1e-4, 1e-4)};
+  ck_assert_ptr_eq(work_cheapest(points, 3, offsetof(WorkError, shape), 2e-3), &points[1]);
+  ck_assert_ptr_eq(work_cheapest(points, 3, offsetof(WorkError, D12), 2e-3), &points[0]);
+  ck_assert_ptr_eq(work_cheapest(points, 3, offsetof(WorkError, shape), 1e-4), &points[2]);
+  ck_assert_ptr_null(work_cheapest(points, 3, offsetof(WorkError, shape), 1e-5));
+}
+END_TEST
+
+START_TEST(the_largest_part_of_an_error_is_named) {
+  ck_assert_str_eq(work_dominating(&(WorkPoint){.space = 3, .quadrature = 2, .time = 1}), "space");
+  ck_assert_str_eq(work_dominating(&(WorkPoint){.space = 1, .quadrature = 2, .time = 1}), "quadrature");
+  ck_assert_str_eq(work_dominating(&(WorkPoint){.space = 1, .quadrature = 1, .time = 2}), "time");
+}
+END_TEST
+
+START_TEST(the_exponent_of_a_power_law_is_found) {
+  const double x[] = {1280, 5120, 20480, 81920};
+  double y[4];
+  for (int k = 0; k < 4; k++) y[k] = 3e-4 * pow(x[k], 1.2);
+  ck_assert_double_eq_tol(work_exponent(4, x, y), 1.2, 1e-12); /* round-off of logarithms */
+  y[0] *= 1.1;
+  y[3] *= 1.1; /* curvature, not slope */
+  ck_assert_double_eq_tol(work_exponent(4, x, y), 1.2, 1e-12);
+  ck_assert(isnan(work_exponent(1, x, y)));
+}
+END_TEST
+
+int main(void) {
+  return suite_run("work_precision", (SuiteTests){errors_are_relative_but_for_angle_area_and_damage,
+                                                  the_front_holds_what_nothing_beats,
+                                                  the_cheapest_point_within_an_error_is_found,
+                                                  the_largest_part_of_an_error_is_named,
+                                                  the_exponent_of_a_power_law_is_found, NULL});
+}
