@@ -128,9 +128,9 @@ const SchemaRow SCHEMA[] = {
     {.key = "time.end", .type = TYPE_NUMBER, AT(time.end), ABOVE(0),
      .meaning = "Time at which the run ends, in units of 1/rate."},
     {.key = "time.integrator", .type = TYPE_CHOICE, AT(time.integrator), .choices = INTEGRATORS,
-     .fallback = "rk2",
-     .meaning = "Time integrator: rk2 is the explicit midpoint rule, rkc2 a stabilized Runge-Kutta-Chebyshev "
-                "method that takes longer steps."},
+     .fallback = "rkc2",
+     .meaning = "Time integrator: rkc2 is a stabilized Runge-Kutta-Chebyshev method of order 2, rk2 the "
+                "explicit midpoint rule, whose steps stability keeps short."},
     {.key = "time.step", .type = TYPE_AUTOMATIC, AT(time.step),
      .companion = offsetof(Scene, time.step_is_auto), ABOVE(0), .fallback = "auto",
      .meaning = "Time step: `auto` follows the error and the stability limit, a number is a fixed step, "

@@ -48,7 +48,7 @@ refused 2 '^scene.yaml:[0-9]+:[0-9]+: parameter Y_D of law marigo: expected at l
 edited 's/Y_D: 0.2/Y_d: 0.2/'
 refused 2 '^scene.yaml:[0-9]+:[0-9]+: .*Y_d.*did you mean `Y_D`' scene.yaml
 
-edited 's/^  end: 2/  end: 2\n  step: 0.1/'
+edited 's/^  end: 2/  end: 2\n  integrator: rk2\n  step: 0.1/'
 refused 2 'step.*0.1.*stability limit' scene.yaml
 
 refused 2 'stop.steady.*expected `output.history_every` above 0' "$good" --set stop.steady=0.01 --set output.history_every=0

@@ -49,7 +49,7 @@ START_TEST(every_key_lands_in_the_scene) {
                 "  damage: {law: ./my.so#acme.creep, parameters: {tau: 2 s}, d_max: 0.9}\n"
                 "  mass_solver: umfpack\n"
                 "flow: {kind: linear, capillary_number: 0.3, gradient: [[0, 0, 2], [0, 0, 0], [1, 0, 0]]}\n"
-                "time: {end: 3, integrator: rkc2, step: 0.01, tolerance: 1e-6, allow_unstable: true}\n"
+                "time: {end: 3, integrator: rk2, step: 0.01, tolerance: 1e-6, allow_unstable: true}\n"
                 "stop: {rupture: continue, steady: 1e-5}\n"
                 "observe: {criteria: [{law: rankine, parameters: {T_D: 1}}, {name: b, law: ./x.so#y.z}]}\n"
                 "accuracy: draft\n"
@@ -90,7 +90,7 @@ START_TEST(every_key_lands_in_the_scene) {
   ck_assert(s.flow.capillary_number == 0.3 && !s.flow.is_physical);
   ck_assert(s.flow.gradient[0][2] == 2 && s.flow.gradient[2][0] == 1 && s.flow.gradient[1][1] == 0);
   ck_assert(s.time.end == 3 && !s.time.step_is_auto && s.time.step == 0.01 && s.time.tolerance == 1e-6);
-  ck_assert_int_eq(s.time.integrator, INTEGRATOR_RKC2);
+  ck_assert_int_eq(s.time.integrator, INTEGRATOR_RK2);
   ck_assert(s.time.allow_unstable);
   ck_assert_int_eq(s.stop.rupture, RUPTURE_CONTINUE);
   ck_assert(s.stop.steady == 1e-5);
@@ -111,7 +111,7 @@ START_TEST(a_short_scene_gets_the_documented_defaults) {
   ck_assert(!s.membrane.has_damage);
   ck_assert_ptr_null(s.membrane.damage.law);
   ck_assert_int_eq(s.membrane.mass_solver, MASS_PCG);
-  ck_assert_int_eq(s.time.integrator, INTEGRATOR_RK2);
+  ck_assert_int_eq(s.time.integrator, INTEGRATOR_RKC2);
   ck_assert(s.time.step_is_auto && s.time.tolerance == 1e-4 && !s.time.allow_unstable);
   ck_assert_int_eq(s.stop.rupture, RUPTURE_STOP);
   ck_assert(s.stop.steady == 0);
