@@ -1,8 +1,9 @@
 /* capsella laws: what laws there are and what each takes, printed from the descriptors alone. */
 #include "app/commands.h"
 #include "base/array.h"
-#include "laws/material.h"
-#include <math.h>
+#include "laws/plugin.h"
+#include "laws/search.h"
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -10,9 +11,10 @@ static const char USAGE[] = "usage: capsella laws [list | show ID | check FILE.s
 
 static const char HELP[] =
     "\n"
-    "  list      every law on the search path: kind, id, title, file\n"
-    "  show ID   one law: source, parameters with units and ranges, moduli, channels; ID may be the path\n"
-    "            of a plugin, FILE.so or FILE.so#ID\n"
+    "  list [--markdown]      every law on the search path: kind, id, title, file\n"
+    "  show ID [--markdown]   one law: equations, parameters with units and ranges, moduli, channels, "
+    "source;\n"
+    "                         ID may be the path of a plugin, FILE.so or FILE.so#ID\n"
     "  check FILE.so [--only REGEX] [--json]   does a plugin keep the rules, and are its laws sound?\n"
     "  new DIR --kind KIND [--cxx] [--name ID]   a folder with a law that builds, to be changed into yours\n"
     "\n"
@@ -92,7 +94,28 @@ static void print_rows(const Rows *rows) {
   }
 }
 
-static int list(void) {
+/* A page that links to one page for each law (`show ID --markdown`). */
+static void print_markdown(const Rows *rows) {
+  static const char *const heading[] = {[LAW_ENERGY] = "Elasticity", [LAW_DAMAGE] = "Damage"};
+  puts(
+      "# Laws\n\n"
+      "Written by `capsella laws list --markdown`, and each page by `capsella laws show ID --markdown`.\n"
+      "How to add one: [writing a law](../writing-a-law.md).\n\n"
+      "l1 >= l2 are the principal stretches, I1 = l1^2 + l2^2 - 2 and I2 = l1^2 l2^2 - 1 the invariants.\n"
+      "phi is the energy per reference area; T1 >= T2 are the principal tensions of the undamaged membrane.\n"
+      "Damage d scales the tensions by 1 - d; Y = phi of the undamaged membrane.\n"
+      "`<x>` is x where positive and 0 elsewhere.\n"
+      "A damage law is associated when Y alone drives it, through a threshold f(Y; d) <= 0.");
+  for (LawKind kind = LAW_ENERGY; kind <= LAW_DAMAGE; kind++) {
+    printf("\n## %s\n\n| id | law |\n|---|---|\n", heading[kind]);
+    for (size_t i = 0; i < rows->n; i++) {
+      const Row *row = &rows->row[i];
+      if (row->kind == kind && !row->hidden) printf("| [`%s`](%s.md) | %s |\n", row->id, row->id, row->title);
+    }
+  }
+}
+
+static int list(bool markdown) {
   Status status;
   Error error;
   LawSearch search = {0};
@@ -101,113 +124,10 @@ static int list(void) {
   TRY(law_search_default(&search, NULL, &error));
   TRY(law_search_files(&search, &files, &error));
   for (size_t i = 0; i < files.n; i++) TRY(add_file(&rows, files.path[i], &error));
-  print_rows(&rows);
+  (markdown ? print_markdown : print_rows)(&rows);
 cleanup:
   array_free(rows.row);
   law_files_free(&files);
-  law_search_free(&search);
-  return status == STATUS_OK ? EXIT_DONE : fail(&error);
-}
-
-/* ---- show ---- */
-
-/* As in mathematics: [ and ] for ends that belong to the range, ( and ) for those that do not. */
-static void print_range(double lo, double hi, bool open_lo, bool open_hi) {
-  printf("%c%g, %g%c", open_lo || isinf(lo) ? '(' : '[', lo, hi, open_hi || isinf(hi) ? ')' : ']');
-}
-
-static void print_parameter(const mlaw_param *param) {
-  printf("  %s (%s)  %s\n    ", param->name, param->unit, param->about);
-  if (param->flags & MLAW_REQUIRED) {
-    printf("required");
-  } else {
-    printf("default %g", param->value);
-  }
-  printf(", range ");
-  print_range(param->lo, param->hi, param->flags & MLAW_OPEN_LO, param->flags & MLAW_OPEN_HI);
-  if (param->ok_lo > param->lo || param->ok_hi < param->hi) {
-    printf(", calibrated in ");
-    print_range(param->ok_lo, param->ok_hi, false, false);
-  }
-  printf("\n");
-}
-
-static void print_tables(const LawDescription *law) {
-  printf("parameters (dimensionless, or with a unit like the one shown)\n");
-  for (uint32_t k = 0; k < law->n_params; k++) print_parameter(law_param(law, k));
-  if (law->n_params == 0) printf("  none\n");
-  if (law->n_vars) printf("history at each point\n");
-  for (uint32_t k = 0; k < law->n_vars; k++) {
-    const mlaw_var *var = law_var(law, k);
-    printf("  %s (%s)  %s; starts at %g\n", var->name, var->unit, var->about, var->init);
-  }
-}
-
-static void print_channels(const mlaw_damage *law) {
-  static const char *const names[MLAW_N_CHANNELS] = {[MLAW_Y] = "Y (energy release rate)",
-                                                     [MLAW_I1] = "I1",
-                                                     [MLAW_I2] = "I2",
-                                                     [MLAW_L1] = "L1 (larger principal stretch)",
-                                                     [MLAW_L2] = "L2",
-                                                     [MLAW_T1] = "T1 (larger principal tension)",
-                                                     [MLAW_T2] = "T2"};
-  printf("form       %s\ndriven by ",
-         law->update ? "general (steps in time)" : "explicit (a function of the largest Y)");
-  for (int c = 0; c < MLAW_N_CHANNELS; c++) {
-    if (law->needs & 1u << c) printf(" %s", names[c]);
-  }
-  printf("\n");
-}
-
-/* The moduli that a membrane of this law has with every parameter at its default; silent without defaults. */
-static void print_moduli(const LoadedLaw *law, const LawSearch *search) {
-  Material material;
-  Error error;
-  Scene scene = {0};
-  Text request = {0};
-  const LawDescription table = law_describe(law);
-  for (uint32_t k = 0; k < table.n_params; k++) {
-    if (law_param(&table, k)->flags & MLAW_REQUIRED) return;
-  }
-  if (text_append(&request, &error, "%s#%s", law->file, table.id) != STATUS_OK) return;
-  scene.membrane.elastic.law = request.data;
-  if (material_new(&material, &scene, search, NULL, NULL, NULL, &error) == STATUS_OK) {
-    printf("moduli     G_s = %.10g, K_s = %.10g at rest, with defaults\n", material.shear_modulus,
-           material.dilatation_modulus);
-    material_free(&material);
-  } else {
-    printf("moduli     %s\n", error.text);
-  }
-  text_free(&request);
-}
-
-static void print_law(const LoadedLaw *law, const LawSearch *search) {
-  const LawDescription table = law_describe(law);
-  printf("%s: %s\n", table.id, table.title);
-  printf("kind       %s\n", law_kind_name(law->energy ? LAW_ENERGY : LAW_DAMAGE));
-  printf("source     %s\n", table.source);
-  printf("file       %s (hash %016llx)\n", law->file, (unsigned long long)law->hash);
-  printf("plugin     %s %s, ABI %d.%d, %s, by %s\n", law->plugin->id, law->plugin->version, MLAW_ABI_MAJOR,
-         law->plugin->abi_minor, law->plugin->license, law->plugin->author);
-  if (law->energy) {
-    printf("gives      phi, first%s derivatives\n", law->energy->flags & MLAW_HESSIAN ? " and second" : "");
-    print_moduli(law, search);
-  } else {
-    print_channels(law->damage);
-  }
-  print_tables(&table);
-}
-
-static int show(const char *request) {
-  Status status;
-  Error error;
-  LawSearch search = {0};
-  LoadedLaw law = {0};
-  TRY(law_search_default(&search, ".", &error)); /* a path is meant from where the user is */
-  TRY(law_load(&law, LAW_ANY, request, &search, &error));
-  print_law(&law, &search);
-cleanup:
-  law_release(&law);
   law_search_free(&search);
   return status == STATUS_OK ? EXIT_DONE : fail(&error);
 }
@@ -219,8 +139,9 @@ int command_laws(int argc, char **argv) {
     fputs(HELP, stdout);
     return EXIT_DONE;
   }
-  if (strcmp(what, "list") == 0 && argc <= 2) return list();
-  if (strcmp(what, "show") == 0 && argc == 3) return show(argv[2]);
+  if (strcmp(what, "list") == 0 && argc <= 2) return list(false);
+  if (strcmp(what, "list") == 0 && argc == 3 && strcmp(argv[2], "--markdown") == 0) return list(true);
+  if (strcmp(what, "show") == 0 && argc >= 3) return command_laws_show(argc - 1, argv + 1);
   if (strcmp(what, "check") == 0) return command_laws_check(argc - 1, argv + 1);
   if (strcmp(what, "new") == 0) return command_laws_new(argc - 1, argv + 1);
   fprintf(stderr, "capsella laws: expected list, show ID, new DIR or check FILE.so, found '%s%s%s'\n%s", what,
