@@ -107,6 +107,7 @@ typedef struct {
   Accuracy accuracy;
   SymmetryChoice symmetry;
   FluidMethod fluid_method;
+  bool coarse_stages; /* inner stages of rkc2 by a coarser rule */
 
   struct {
     double history_every, snapshot_every; /* 0: only the last state */

@@ -164,6 +164,9 @@ const SchemaRow SCHEMA[] = {
      .meaning = "Quadrature of the single layer: fast refines near elements only; direct is the rule of 12 "
                 "points per element with polar coordinates on singular ones; reference is the most "
                 "accurate."},
+    {.key = "fluid.coarse_stages", .type = TYPE_BOOLEAN, AT(coarse_stages), .fallback = "true",
+     .meaning = "Inner stages of an rkc2 step by a coarser rule, plus what that lacked at the start of the "
+                "step; the direct method has none."},
     {.key = "fluid.remove_flux", .type = TYPE_BOOLEAN, AT(flow.remove_flux), .fallback = "true",
      .meaning = "Subtract the mean normal velocity, which is 0 but for the quadrature, so that the volume "
                 "stays."},

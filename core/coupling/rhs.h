@@ -13,6 +13,16 @@ typedef struct {
   /* Moves x [n] onto the invariants of the equation, by no more than the error of a step; NULL: there are
    * none. */
   void (*constrain)(void *context, double *x);
+  /* What evaluate gives, from a cheaper rule, for the inner stages of a step and for differences of f near
+   * its start.  Exact at the start of the step, which open_step names: f = f(t, x).  NULL both: there is
+   * none. */
+  Status (*open_step)(void *context, const double *x, double t, const double *f, Error *error);
+  Status (*stage)(void *context, const double *x, double t, double dt, double *f, Error *error);
 } Rhs;
+
+static inline Status rhs_stage(const Rhs *rhs, const double *x, double t, double dt, double *f,
+                               Error *error) {
+  return (rhs->stage ? rhs->stage : rhs->evaluate)(rhs->context, x, t, dt, f, error);
+}
 
 #endif

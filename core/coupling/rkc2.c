@@ -55,7 +55,7 @@ static Status step(const Rhs *rhs, int stages, double t, double h, const double 
   memcpy(before, x0, (size_t)n * sizeof *before);
   for (int i = 0; i < n; i++) last[i] = x0[i] + b_last * w1 * h * f0[i];
   for (int j = 2; j <= stages; j++) {
-    const Status status = rhs->evaluate(rhs->context, last, t, c_last * h, f, error);
+    const Status status = rhs_stage(rhs, last, t, c_last * h, f, error);
     if (status != STATUS_OK) return status;
     const Chebyshev C = chebyshev_next(w0, C_last, C_before);
     const double b = C.d2T / (C.dT * C.dT);

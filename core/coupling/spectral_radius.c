@@ -30,7 +30,7 @@ Status spectral_radius(const Rhs *rhs, double t, const double *x, const double *
     if (norm(n, direction) == 0) spectral_radius_seed(n, direction); /* f did not change along the last one */
     const double scale = size / norm(n, direction);
     for (int i = 0; i < n; i++) x_trial[i] = x[i] + scale * direction[i];
-    const Status status = rhs->evaluate(rhs->context, x_trial, t, 0, f_trial, error);
+    const Status status = rhs_stage(rhs, x_trial, t, 0, f_trial, error);
     ++*evaluations;
     if (status != STATUS_OK) return status;
     for (int i = 0; i < n; i++) direction[i] = f_trial[i] - f[i];

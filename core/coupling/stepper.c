@@ -43,11 +43,22 @@ double stepper_stability_limit(const Stepper *s) {
   return s->memory.rho > 0 ? s->integrator->reach(most) / s->memory.rho : INFINITY;
 }
 
+static Status open_step(Stepper *s, Error *error) {
+  if (s->is_open || !s->rhs.open_step) return STATUS_OK;
+  const Status status = s->rhs.open_step(s->rhs.context, s->x, s->memory.t, s->v, error);
+  s->is_open = status == STATUS_OK;
+  return status;
+}
+
 Status stepper_measure_radius(Stepper *s, Error *error) {
+  Status status = STATUS_OK;
   int evaluations = 0;
   s->memory.steps_since_rho = 0;
-  return spectral_radius(&s->rhs, s->memory.t, s->x, s->v, s->direction, s->x1, s->v1, &s->memory.rho,
-                         &evaluations, error);
+  TRY(open_step(s, error));
+  TRY(spectral_radius(&s->rhs, s->memory.t, s->x, s->v, s->direction, s->x1, s->v1, &s->memory.rho,
+                      &evaluations, error));
+cleanup:
+  return status;
 }
 
 static Status check_fixed_step(const Stepper *s, Status code, Error *error) {
@@ -68,7 +79,9 @@ Status stepper_start(Stepper *s, double t, const double *x, Error *error) {
   memcpy(s->x, x, (size_t)s->rhs.n * sizeof *x);
   TRY(s->rhs.evaluate(s->rhs.context, s->x, t, 0, s->v, error));
   spectral_radius_seed(s->rhs.n, s->direction);
+  s->is_open = false;
   TRY(stepper_measure_radius(s, error));
+  s->is_open = false; /* as after a restart from here: the counts are the same */
   TRY(check_fixed_step(s, STATUS_INPUT, error));
   s->memory.h_next = s->options.is_auto ? 0.25 / s->memory.rho : s->options.fixed_step;
 cleanup:
@@ -116,6 +129,7 @@ static Status try_step(Stepper *s, double t1, Error *error) {
   int stages = integrator_stages(s->integrator, RADIUS_SAFETY * h * s->memory.rho);
   if (stages == 0)
     stages = s->integrator->max_stages; /* a fixed step, allowed by the user or within the margin */
+  TRY(open_step(s, error));
   TRY(s->integrator->step(&s->rhs, stages, s->memory.t, h, s->x, s->v, s->x1, s->work, error));
   if (s->rhs.constrain) s->rhs.constrain(s->rhs.context, s->x1);
   TRY(s->rhs.evaluate(s->rhs.context, s->x1, s->memory.t, h, s->v1, error));
@@ -205,5 +219,6 @@ void stepper_accept(Stepper *s) {
   s->memory.t = s->t1;
   s->memory.steps++;
   s->memory.steps_since_rho++;
+  s->is_open = false;
   s->has_proposal = false;
 }

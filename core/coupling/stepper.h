@@ -45,6 +45,7 @@ typedef struct {
   double *direction;   /* [n] of the power iteration; part of a restart */
   double t1, *x1, *v1; /* the proposed end of the step */
   double *work;
+  bool is_open; /* rhs.open_step knows (memory.t, x, v) */
   bool has_proposal;
 } Stepper;
 

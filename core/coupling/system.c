@@ -29,7 +29,13 @@ void system_free(CoupledSystem *system) {
   array_free(system->q);
   array_free(system->u);
   array_free(system->normal);
+  array_free(system->lack);
   *system = (CoupledSystem){0};
+}
+
+Status system_use_coarse(CoupledSystem *system, CoarseLayer *coarse, Error *error) {
+  system->coarse = coarse;
+  return ARRAY_NEW(&system->lack, 3 * (size_t)system->mesh->n_nodes, error);
 }
 
 /* Unit normals at x; returns the rate of change of the volume for a unit normal velocity, int n . n dS. */
@@ -58,20 +64,36 @@ void system_constrain(CoupledSystem *system, double *x) {
   if (system->keep_volume) restore_volume(system, x);
 }
 
-Status system_velocity(CoupledSystem *system, const double *x, double t, double dt, double *v, Error *error) {
+static Status check_finite(const CoupledSystem *system, const double *v, Error *error) {
+  for (int i = 0; i < 3 * system->mesh->n_nodes; i++)
+    if (!isfinite(v[i]))
+      return error_set(error, STATUS_REJECT, "the velocity of node %d is not finite", i / 3);
+  return STATUS_OK;
+}
+
+static Status load(CoupledSystem *system, const double *x, double t, double dt, Error *error) {
   Status status = STATUS_OK;
-  const int n = 3 * system->mesh->n_nodes;
   system->evaluations++;
   TRY(membrane_force(system->membrane, x, t, dt, system->R, error));
   TRY(membrane_load(system->membrane, system->R, system->q, error));
+cleanup:
+  return status;
+}
+
+/* v = v_inf - mobility u. */
+static void add_flow(const CoupledSystem *system, const double *x, double t, double *v) {
+  flow_velocity(system->flow, system->mesh->n_nodes, x, t, v);
+  for (int i = 0; i < 3 * system->mesh->n_nodes; i++) v[i] -= system->mobility * system->u[i];
+}
+
+Status system_velocity(CoupledSystem *system, const double *x, double t, double dt, double *v, Error *error) {
+  Status status = STATUS_OK;
+  TRY(load(system, x, t, dt, error));
   TRY(single_layer_evaluate(system->layer, x, system->q, system->u, error));
-  flow_velocity(system->flow, system->mesh->n_nodes, x, t + dt, v);
-  for (int i = 0; i < n; i++) v[i] -= system->mobility * system->u[i];
+  add_flow(system, x, t + dt, v);
   if (system->symmetry) symmetry_spread(system->symmetry, v);
   if (system->keep_volume) remove_mean_flux(system, x, v);
-  for (int i = 0; i < n; i++)
-    if (!isfinite(v[i]))
-      return error_set(error, STATUS_REJECT, "the velocity of node %d is not finite", i / 3);
+  TRY(check_finite(system, v, error));
 cleanup:
   return status;
 }
@@ -80,11 +102,46 @@ static Status evaluate(void *context, const double *x, double t, double dt, doub
   return system_velocity(context, x, t, dt, f, error);
 }
 
+static Status coarse_velocity(CoupledSystem *system, const double *x, double t, double dt, double *v,
+                              Error *error) {
+  Status status = STATUS_OK;
+  system->coarse_evaluations++;
+  TRY(load(system, x, t, dt, error));
+  TRY(coarse_layer_evaluate(system->coarse, x, system->q, system->u, error));
+  add_flow(system, x, t + dt, v);
+cleanup:
+  return status;
+}
+
+static Status open_step(void *context, const double *x, double t, const double *f, Error *error) {
+  Status status = STATUS_OK;
+  CoupledSystem *system = context;
+  TRY(coarse_layer_hold(system->coarse, x, system->q, error));
+  TRY(coarse_velocity(system, x, t, 0, system->lack, error));
+  for (int i = 0; i < 3 * system->mesh->n_nodes; i++) system->lack[i] = f[i] - system->lack[i];
+cleanup:
+  return status;
+}
+
+static Status evaluate_stage(void *context, const double *x, double t, double dt, double *f, Error *error) {
+  Status status = STATUS_OK;
+  CoupledSystem *system = context;
+  TRY(coarse_velocity(system, x, t, dt, f, error));
+  for (int i = 0; i < 3 * system->mesh->n_nodes; i++) f[i] += system->lack[i];
+  TRY(check_finite(system, f, error));
+cleanup:
+  return status;
+}
+
 static void constrain(void *context, double *x) {
   system_constrain(context, x);
 }
 
 Rhs system_rhs(CoupledSystem *system) {
-  return (Rhs){
-      .n = 3 * system->mesh->n_nodes, .context = system, .evaluate = evaluate, .constrain = constrain};
+  Rhs rhs = {.n = 3 * system->mesh->n_nodes, .context = system, .evaluate = evaluate, .constrain = constrain};
+  if (system->coarse) {
+    rhs.open_step = open_step;
+    rhs.stage = evaluate_stage;
+  }
+  return rhs;
 }

@@ -9,6 +9,7 @@
 
 #include "base/status.h"
 #include "coupling/rhs.h"
+#include "fluid/coarse_layer.h"
 #include "fluid/flow.h"
 #include "fluid/single_layer.h"
 #include "membrane/membrane.h"
@@ -28,13 +29,20 @@ typedef struct {
   double *R,
       *q; /* [n_nodes][3] internal force and load of the last evaluation; q starts the next mass solve */
   double *u, *normal; /* [n_nodes][3] scratch */
-  long long evaluations;
+  /* For the inner stages of a step; NULL where they are summed as all else: */
+  CoarseLayer *coarse;
+  double *lack; /* [n_nodes][3] what the coarse velocity lacks at the start of the step */
+  long long evaluations, coarse_evaluations; /* of the velocity: all, and those of them by the coarse layer */
 } CoupledSystem;
 
 /* Allocates the arrays; the parts must outlive the system. */
 Status system_new(CoupledSystem *system, const Mesh *mesh, Membrane *membrane, SingleLayer *layer,
                   const Flow *flow, double mobility, bool keep_volume, Error *error);
 void system_free(CoupledSystem *system);
+
+/* From now on the inner stages of a step sum over `coarse` and add what that lacked at the step's start
+ * (docs/decisions/stages.md). */
+Status system_use_coarse(CoupledSystem *system, CoarseLayer *coarse, Error *error);
 
 /* v [n_nodes][3] at positions x and time t + dt; the membrane holds the trial history that belongs to it. */
 Status system_velocity(CoupledSystem *system, const double *x, double t, double dt, double *v, Error *error);

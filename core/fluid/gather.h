@@ -3,11 +3,22 @@
 #ifndef CAPSELLA_FLUID_GATHER_H
 #define CAPSELLA_FLUID_GATHER_H
 
+#include "base/status.h"
+#include "fluid/coarse_kernel.h"
 #include "fluid/oseen_kernel.h"
 
 enum { GATHER_LISTED = 512, GATHER_KEPT = 48 };
 
+/* Where runs of blocks[] go that are to be summed later, and more than once. */
 typedef struct {
+  const OseenBlock *blocks;
+  int n, room;
+  CoarseRun *run; /* [n] */
+  Status status;  /* STATUS_MEMORY when the list could not grow */
+} HeldRuns;
+
+typedef struct {
+  HeldRuns *held; /* NULL: runs are summed at once */
   const double *target;
   double u[3]; /* the sum so far */
   int n_listed, n_kept;
@@ -25,7 +36,7 @@ void gather_used(Gather *gather, int n);
 /* Room for n <= GATHER_KEPT blocks, already added, to be filled in before the next call. */
 OseenBlock *gather_reserve(Gather *gather, int n);
 
-/* Sums what is listed into gather->u. */
+/* Sums what is listed into gather->u, or adds it to gather->held. */
 void gather_flush(Gather *gather);
 
 #endif

@@ -7,10 +7,9 @@
 #include "fluid/gather.h"
 #include "fluid/singular.h"
 #include "fluid/surface_tree.h"
+#include "fluid/targets.h"
 #include "fluid/walk.h"
 
-#include <math.h>
-#include <stdbool.h>
 #include <string.h>
 
 static const double ONE_OVER_8PI = 0.039788735772973836;
@@ -22,7 +21,7 @@ typedef struct {
 
 static const Method METHODS[] = {
     [FLUID_DIRECT] = {{.rule_points = 12}, {POLAR_PARAMETRIC, 6, 6, 0}},
-    [FLUID_FAST] = {{.rule_points = 6, .reach = 4.2, .far = 3.1, .rough = 5e-5}, {POLAR_TANGENT, 3, 8, 16}},
+    [FLUID_FAST] = {{.rule_points = 6, .reach = 4.2, .far = 3.1, .rough = 2e-4}, {POLAR_TANGENT, 3, 8, 16}},
     [FLUID_REFERENCE] = {{.rule_points = 12, .reach = 4.2}, {POLAR_TANGENT, 4, 16, 16}},
 };
 
@@ -30,30 +29,11 @@ struct SingleLayer {
   const Mesh *mesh;
   SingularRule *singular;
   SurfaceTree tree;
-  int n_targets, *target;   /* [n_targets] nodes at which u is summed, neighbours near to each other */
-  NearElements *near;       /* [n_targets] elements to be cut */
-  char *wanted;             /* [n_elements] whether any target is near */
-  const Symmetry *symmetry; /* u at the other nodes is the image of u at these; NULL: none */
-  int *member;              /* [orbits] the target of each orbit */
+  Targets targets;
+  NearElements *near; /* [targets] elements to be cut */
+  char *wanted;       /* [n_elements] whether any target is near */
   KernelCount count;
 };
-
-/* The nodes in the order in which the elements hold them: what one target has brought into the cache, the
- * next one uses again. */
-static Status order_targets(const Mesh *mesh, int *target, Error *error) {
-  Status status = STATUS_OK;
-  bool *listed = NULL;
-  TRY(ARRAY_NEW(&listed, mesh->n_nodes, error));
-  int n = 0;
-  for (int i = 0; i < 6 * mesh->n_elements; i++) {
-    int p = mesh->element[i / 6][i % 6];
-    if (!listed[p]) target[n++] = p;
-    listed[p] = true;
-  }
-cleanup:
-  array_free(listed);
-  return status;
-}
 
 Status single_layer_new(SingleLayer **out, const Mesh *mesh, FluidMethod method, Error *error) {
   Status status = STATUS_OK;
@@ -63,12 +43,9 @@ Status single_layer_new(SingleLayer **out, const Mesh *mesh, FluidMethod method,
   layer->mesh = mesh;
   TRY(singular_new(&layer->singular, &m->polar, error));
   TRY(tree_new(&layer->tree, mesh, &m->tree, error));
-  TRY(ARRAY_NEW(&layer->target, mesh->n_nodes, error));
-  TRY(ARRAY_NEW(&layer->member, mesh->n_nodes, error));
+  TRY(targets_new(&layer->targets, mesh, error));
   TRY(ARRAY_NEW(&layer->near, mesh->n_nodes, error));
   TRY(ARRAY_NEW(&layer->wanted, mesh->n_elements, error));
-  layer->n_targets = mesh->n_nodes;
-  TRY(order_targets(mesh, layer->target, error));
   *out = layer;
   layer = NULL;
 cleanup:
@@ -76,28 +53,15 @@ cleanup:
   return status;
 }
 
-/* Of each orbit the first member in the order of the targets: together they make up one part of the surface,
- * and few elements are near to any of them. */
 void single_layer_use_symmetry(SingleLayer *layer, const Symmetry *symmetry) {
-  const Orbits *nodes = &symmetry->nodes;
-  int n = 0;
-  for (int o = 0; o < nodes->n; o++) layer->member[o] = -1;
-  for (int i = 0; i < layer->n_targets; i++) {
-    int p = layer->target[i], *member = &layer->member[nodes->orbit[p]];
-    if (*member >= 0) continue;
-    *member = p;
-    layer->target[n++] = p;
-  }
-  layer->n_targets = n;
-  layer->symmetry = symmetry;
+  targets_use_symmetry(&layer->targets, symmetry);
 }
 
 void single_layer_free(SingleLayer *layer) {
   if (!layer) return;
   singular_free(layer->singular);
   tree_free(&layer->tree);
-  array_free(layer->target);
-  array_free(layer->member);
+  targets_free(&layer->targets);
   array_free(layer->near);
   array_free(layer->wanted);
   array_free(layer);
@@ -107,23 +71,13 @@ KernelCount single_layer_count(const SingleLayer *layer) {
   return layer->count;
 }
 
-static Status check_finite(const char *what, int n, const double *values, Error *error) {
-  for (int i = 0; i < n; i++) {
-    if (!isfinite(values[i])) {
-      return error_set(error, STATUS_REJECT, "single layer: %s of node %d is %g, not a finite number", what,
-                       i / 3, values[i]);
-    }
-  }
-  return STATUS_OK;
-}
-
 /* What is far from target i: its part of u, but for the factor 1/(8 pi). */
 static void sum_far(SingleLayer *layer, const double *x, const double *q, int i, double u[3],
                     WalkCount *count) {
   Gather gather;
   NearElements *near = &layer->near[i];
-  gather_start(&gather, x + 3 * layer->target[i]);
-  walk_far(&layer->tree, x, q, layer->target[i], &gather, near, count);
+  gather_start(&gather, x + 3 * layer->targets.node[i]);
+  walk_far(&layer->tree, x, q, layer->targets.node[i], &gather, near, count);
   gather_flush(&gather);
   for (int c = 0; c < 3; c++) u[c] = gather.u[c];
   for (int k = 0; k < near->n; k++) {
@@ -137,7 +91,7 @@ static void sum_far(SingleLayer *layer, const double *x, const double *q, int i,
 static int sum_near(const SingleLayer *layer, const double *x, const double *q, int i, double u[3],
                     WalkCount *count) {
   Gather gather;
-  int p = layer->target[i];
+  int p = layer->targets.node[i];
   gather_start(&gather, x + 3 * p);
   walk_near(&layer->tree, x, q, &layer->near[i], &gather, count);
   int singular = singular_gather(layer->singular, layer->mesh, x, q, p, &gather);
@@ -155,14 +109,15 @@ static int sum_targets(SingleLayer *layer, const double *x, const double *q, dou
   {
     WalkCount count = {0, 0};
 #pragma omp for schedule(dynamic, 16)
-    for (int i = 0; i < layer->n_targets; i++) sum_far(layer, x, q, i, u + 3 * layer->target[i], &count);
+    for (int i = 0; i < layer->targets.n; i++)
+      sum_far(layer, x, q, i, u + 3 * layer->targets.node[i], &count);
 #pragma omp for schedule(dynamic, 16)
     for (int e = 0; e < n_elements; e++) {
       if (layer->wanted[e]) tree_cut(&layer->tree, e, x, q);
     }
 #pragma omp for schedule(dynamic, 16)
-    for (int i = 0; i < layer->n_targets; i++) {
-      int p = layer->target[i], points = sum_near(layer, x, q, i, u + 3 * p, &count);
+    for (int i = 0; i < layer->targets.n; i++) {
+      int p = layer->targets.node[i], points = sum_near(layer, x, q, i, u + 3 * p, &count);
       if (points >= 0) {
         singular += points;
       } else if (p < degenerate) {
@@ -178,29 +133,18 @@ static int sum_targets(SingleLayer *layer, const double *x, const double *q, dou
   return degenerate;
 }
 
-/* From the targets to all members of their orbits. */
-static void spread(const SingleLayer *layer, double *u) {
-  const Orbits *nodes = &layer->symmetry->nodes;
-  for (int o = 0; o < nodes->n; o++) {
-    int p = layer->member[o], representative = nodes->representative[o];
-    const double *sign = layer->symmetry->operation[nodes->operation[p]].sign;
-    for (int c = 0; c < 3; c++) u[3 * representative + c] = sign[c] * u[3 * p + c];
-  }
-  symmetry_spread(layer->symmetry, u);
-}
-
 Status single_layer_evaluate(SingleLayer *layer, const double *x, const double *q, double *u, Error *error) {
   Status status = STATUS_OK;
   int n_nodes = layer->mesh->n_nodes;
-  TRY(check_finite("position", 3 * n_nodes, x, error));
-  TRY(check_finite("load", 3 * n_nodes, q, error));
+  TRY(targets_check_finite("position", n_nodes, x, error));
+  TRY(targets_check_finite("load", n_nodes, q, error));
   tree_update(&layer->tree, x, q);
   int degenerate = sum_targets(layer, x, q, u); /* its values are not used then */
   if (degenerate < n_nodes) {
     return error_set(error, STATUS_REJECT, "single layer: an element at node %d is degenerate", degenerate);
   }
-  if (layer->symmetry) spread(layer, u);
-  TRY(check_finite("velocity", 3 * n_nodes, u, error));
+  targets_spread(&layer->targets, u);
+  TRY(targets_check_finite("velocity", n_nodes, u, error));
 cleanup:
   return status;
 }

@@ -67,7 +67,8 @@ cleanup:
   return status;
 }
 
-static Status new_nested_level(SurfaceTree *tree, int l, Error *error) {
+/* Nested triangles take their moments from free[], and move it on. */
+static Status new_nested_level(SurfaceTree *tree, int l, OseenBlock **free, Error *error) {
   Status status = STATUS_OK;
   TreeLevel *level = &tree->level[l], *below = &tree->level[l + 1];
   TreeMoments *nested = &level->nested;
@@ -85,7 +86,8 @@ static Status new_nested_level(SurfaceTree *tree, int l, Error *error) {
   if (tree->scheme.far == 0) goto cleanup;
   nested->n_sources = l + 1 == tree->element_level ? tree->rule.n : LATTICE_NODES;
   TRY(ARRAY_NEW(&nested->roughness, n, error));
-  TRY(ARRAY_NEW(&nested->moments, (size_t)n * LATTICE_BLOCKS, error));
+  nested->moments = *free;
+  *free += (size_t)n * LATTICE_BLOCKS;
   TRY(ARRAY_NEW(&nested->lattice, n, error));
   TRY(ARRAY_NEW(&nested->weight, (size_t)n * CHILDREN * nested->n_sources, error));
   for (int k = 0; k < n; k++) {
@@ -103,9 +105,19 @@ static Status new_piece_level(SurfaceTree *tree, int l, Error *error) {
   TRY(new_level(level, n, depth == 0 ? CHILDREN : CHILDREN_OF_PIECE, error));
   level->n_points = tree->rule.n;
   level->n_blocks = tree->rule.n_blocks;
-  TRY(ARRAY_NEW(&level->points, (size_t)n * level->n_blocks, error));
+  if (depth == 0) {
+    level->points = tree->blocks;
+  } else {
+    TRY(ARRAY_NEW(&level->points, (size_t)n * level->n_blocks, error));
+  }
 cleanup:
   return status;
+}
+
+static int count_nested(const SurfaceTree *tree) {
+  int sum = 0, n = tree->mesh->n_elements;
+  for (int l = tree->element_level - 1; l >= 0; l--) sum += n /= CHILDREN;
+  return sum;
 }
 
 Status tree_new(SurfaceTree *tree, const Mesh *mesh, const TreeScheme *scheme, Error *error) {
@@ -114,10 +126,14 @@ Status tree_new(SurfaceTree *tree, const Mesh *mesh, const TreeScheme *scheme, E
   for (int n = mesh->n_elements / CHILDREN; n >= FEWEST_ON_TOP; n /= CHILDREN) tree->element_level++;
   tree->n_levels = tree->element_level + 1 + (scheme->reach > 0 ? TREE_BISECTIONS : 0);
   piece_rule(&tree->rule, scheme->rule_points);
-  size_t fours = (size_t)mesh->n_elements / CHILDREN;
-  TRY(ARRAY_NEW(&tree->lined_points, fours * blocks_of_four(tree), error));
+  const int of_elements = mesh->n_elements * tree->rule.n_blocks;
+  const int lined = mesh->n_elements / CHILDREN * blocks_of_four(tree);
+  tree->n_blocks = of_elements + lined + (scheme->far > 0 ? count_nested(tree) * LATTICE_BLOCKS : 0);
+  TRY(ARRAY_NEW(&tree->blocks, tree->n_blocks, error));
+  tree->lined_points = tree->blocks + of_elements;
+  OseenBlock *free = tree->lined_points + lined;
   for (int l = tree->element_level; l < tree->n_levels; l++) TRY(new_piece_level(tree, l, error));
-  for (int l = tree->element_level - 1; l >= 0; l--) TRY(new_nested_level(tree, l, error));
+  for (int l = tree->element_level - 1; l >= 0; l--) TRY(new_nested_level(tree, l, &free, error));
 cleanup:
   return status;
 }
@@ -127,16 +143,15 @@ void tree_free(SurfaceTree *tree) {
     TreeLevel *level = &tree->level[l];
     for (int c = 0; c < 3; c++) array_free(level->center[c]);
     array_free(level->reach2);
-    if (l >= tree->element_level) array_free(level->points);
+    if (l > tree->element_level) array_free(level->points);
     array_free(level->nested.clear);
     array_free(level->nested.far2);
     array_free(level->nested.run);
     array_free(level->nested.roughness);
-    array_free(level->nested.moments);
     array_free(level->nested.lattice);
     array_free(level->nested.weight);
   }
-  array_free(tree->lined_points);
+  array_free(tree->blocks);
 }
 
 static void get_center(const TreeLevel *level, int k, double center[3]) {

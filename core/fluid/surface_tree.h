@@ -49,6 +49,8 @@ typedef struct {
   TreeScheme scheme;
   int n_levels, element_level;
   TreeLevel level[TREE_MAX_LEVELS];
+  OseenBlock *blocks; /* [n_blocks] all that stands for an element or something larger: */
+  int n_blocks;
   OseenBlock *lined_points; /* of all elements, without gaps */
   PieceRule rule;
 } SurfaceTree;

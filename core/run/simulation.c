@@ -161,6 +161,17 @@ static void describe_flow(Simulation *s) {
   }
 }
 
+static Status build_coarse_layer(Simulation *s, Error *error) {
+  Status status = STATUS_OK;
+  const Scene *scene = s->scene;
+  const bool has_stages = scene->time.integrator == INTEGRATOR_RKC2;
+  if (!has_stages || !scene->coarse_stages || scene->fluid_method == FLUID_DIRECT) return STATUS_OK;
+  TRY(coarse_layer_new(&s->coarse, &s->mesh, s->system.symmetry, error));
+  TRY(system_use_coarse(&s->system, s->coarse, error));
+cleanup:
+  return status;
+}
+
 static Status build_fluid(Simulation *s, Error *error) {
   Status status = STATUS_OK;
   const Scene *scene = s->scene;
@@ -170,6 +181,7 @@ static Status build_fluid(Simulation *s, Error *error) {
   TRY(system_new(&s->system, &s->mesh, s->membrane, s->layer, &s->flow, mobility, scene->flow.remove_flux,
                  error));
   if (s->symmetry.n_operations > 1) s->system.symmetry = &s->symmetry;
+  TRY(build_coarse_layer(s, error));
   const StepperOptions options = {.integrator = scene->time.integrator,
                                   .is_auto = scene->time.step_is_auto,
                                   .fixed_step = scene->time.step,
@@ -210,6 +222,7 @@ void simulation_free(Simulation *s) {
   stepper_free(&s->stepper);
   system_free(&s->system);
   single_layer_free(s->layer);
+  coarse_layer_free(s->coarse);
   membrane_free(s->membrane);
   symmetry_free(&s->symmetry);
   mesh_free(&s->mesh);

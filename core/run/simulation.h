@@ -31,6 +31,7 @@ typedef struct {
   Flow flow; /* of an inflation only the axis, y */
   /* Flow scenes only: */
   SingleLayer *layer;
+  CoarseLayer *coarse; /* for inner stages, or NULL */
   CoupledSystem system;
   Stepper stepper;
   FlowMotion carried;

@@ -182,6 +182,10 @@ static Status run_once(RunCost *run, Error *error) {
   }
   const KernelCount count = single_layer_count(s.layer);
   run->pairs = count.far + count.near + count.singular;
+  if (s.coarse) {
+    const KernelCount coarse = coarse_layer_count(s.coarse);
+    run->pairs += coarse.far + coarse.near + coarse.singular;
+  }
   run->evaluations = s.system.evaluations;
 cleanup:
   simulation_free(&s);

@@ -50,11 +50,11 @@ END_TEST
 START_TEST(three_points_of_the_work_precision_curve) {
   static const struct {
     const char *tolerance;
-    long long evaluations;
+    long long evaluations, pairs;
     double D12, d_max;
-  } points[] = {{"time.tolerance=1e-2", 80, 3e-4, 2e-4},
-                {"time.tolerance=1e-3", 100, 1e-4, 1.2e-4},
-                {"time.tolerance=1e-4", 140, 3e-5, 5e-5}};
+  } points[] = {{"time.tolerance=1e-2", 95, 23000000, 3e-4, 2e-4},
+                {"time.tolerance=1e-3", 120, 29000000, 1e-4, 1.2e-4},
+                {"time.tolerance=1e-4", 170, 44000000, 3e-5, 5e-5}};
   static const double end = 2;
   Error error;
   RunCost best = {.sets = (const char *const[]){"capsule.mesh.subdivisions=2", "time.tolerance=1e-7", NULL},
@@ -70,9 +70,10 @@ START_TEST(three_points_of_the_work_precision_curve) {
     ck_assert_msg(benchmark_run(&run, &error) == STATUS_OK, "%s", error.text);
     const double D12 = fabs(run.state[0].D12 - best.state[0].D12),
                  d_max = fabs(run.state[0].d_max - best.state[0].d_max);
-    printf("%s: %lld evaluations, D12 off by %.1e, d_max by %.1e\n", points[i].tolerance, run.evaluations,
-           D12, d_max);
+    printf("%s: %lld evaluations, %.3g pairs, D12 off by %.1e, d_max by %.1e\n", points[i].tolerance,
+           run.evaluations, (double)run.pairs, D12, d_max);
     ck_assert_int_le(run.evaluations, points[i].evaluations);
+    ck_assert_int_le(run.pairs, points[i].pairs);
     ck_assert_double_le(D12, points[i].D12);
     ck_assert_double_le(d_max, points[i].d_max);
   }
