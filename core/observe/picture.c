@@ -21,6 +21,7 @@ enum {
   TITLE_HEIGHT = 30, /* above the views */
   HEIGHT = TITLE_HEIGHT + VIEW_SIZE,
   BAR_WIDTH = 110, /* right of them, with its labels */
+  LEGEND_WIDTH = 250,
   CUTS_MAX = 4,
   PIECES_WANTED = 12000,
 };
@@ -141,6 +142,65 @@ cleanup:
   return status;
 }
 
+/* Pixels of a mark in its view; false when it is on the far side. */
+static bool place_mark(const PictureMark *mark, const Frame *frame, const Projection *projection,
+                       double at[2]) {
+  double arm[3];
+  vec3_subtract(mark->x, frame->center, arm);
+  at[0] = 0.5 * VIEW_SIZE + frame->scale * vec3_dot(arm, projection->right);
+  at[1] = 0.5 * VIEW_SIZE - frame->scale * vec3_dot(arm, projection->up);
+  return vec3_dot(arm, projection->toward) >= -1e-9 * vec3_norm(arm);
+}
+
+/* The dots of a view: the first mark seen near a place leads those that fall together with it. */
+typedef struct {
+  double at[2];
+  bool is_seen;
+  size_t leader;
+} Dot;
+
+static void gather_dots(const Picture *picture, const Frame *frame, const Projection *projection, Dot *dots) {
+  enum { TOGETHER = 10 };
+  for (size_t k = 0; k < picture->n_marks; k++) {
+    dots[k].is_seen = place_mark(&picture->marks[k], frame, projection, dots[k].at);
+    dots[k].leader = k;
+    for (size_t i = 0; i < k && dots[k].leader == k; i++)
+      if (dots[i].is_seen && dots[i].leader == i &&
+          hypot(dots[i].at[0] - dots[k].at[0], dots[i].at[1] - dots[k].at[1]) < TOGETHER)
+        dots[k].leader = i;
+  }
+}
+
+static Status print_dot(const Picture *picture, const Dot *dots, size_t leader, Text *svg, Error *error) {
+  Status status = STATUS_OK;
+  Text label = {0};
+  const double *at = dots[leader].at;
+  for (size_t k = leader; k < picture->n_marks; k++)
+    if (dots[k].is_seen && dots[k].leader == leader)
+      TRY(text_append(&label, error, "%s%s", k > leader ? " " : "", picture->marks[k].label));
+  TRY(text_append(
+      svg, error,
+      "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4\" fill=\"#d43\" stroke=\"#fff\" stroke-width=\"1.5\"/>\n", at[0],
+      at[1]));
+  TRY(svg_label(svg, at[0] + 7, at[1] - 5, "start", label.data, error));
+cleanup:
+  text_free(&label);
+  return status;
+}
+
+static Status print_marks(const Picture *picture, const Frame *frame, const Projection *projection, Text *svg,
+                          Error *error) {
+  Status status = STATUS_OK;
+  Dot *dots = NULL;
+  TRY(ARRAY_NEW(&dots, picture->n_marks, error));
+  gather_dots(picture, frame, projection, dots);
+  for (size_t k = 0; k < picture->n_marks; k++)
+    if (dots[k].is_seen && dots[k].leader == k) TRY(print_dot(picture, dots, k, svg, error));
+cleanup:
+  array_free(dots);
+  return status;
+}
+
 /* One axis from the corner of a view: an arrow, or a ring with a dot (toward the eye) or cross (away). */
 static Status print_axis(const PictureAxis *axis, const Projection *projection, Text *svg, Error *error) {
   enum { CORNER = 48, LENGTH = 40, RING = 6 };
@@ -180,7 +240,19 @@ static Status print_view(const Picture *picture, const Frame *frame, const Pictu
   TRY(print_capsule(picture, frame, &projection, svg, error));
   TRY(text_append(svg, error, "<g stroke=\"#333\">\n"));
   for (size_t k = 0; k < picture->n_axes; k++) TRY(print_axis(&picture->axes[k], &projection, svg, error));
-  TRY(text_append(svg, error, "</g>\n</g>\n"));
+  TRY(text_append(svg, error, "</g>\n"));
+  TRY(print_marks(picture, frame, &projection, svg, error));
+  TRY(text_append(svg, error, "</g>\n"));
+cleanup:
+  return status;
+}
+
+static Status print_legend(const Picture *picture, Text *svg, Error *error) {
+  enum { LINE = 19, TOP = 60 };
+  const size_t left = picture->n_views * VIEW_SIZE + (picture->field ? BAR_WIDTH : 0) + 10;
+  Status status = STATUS_OK;
+  for (size_t k = 0; k < picture->n_legend; k++)
+    TRY(svg_label(svg, (double)left, TOP + LINE * (double)k, "start", picture->legend[k], error));
 cleanup:
   return status;
 }
@@ -221,7 +293,8 @@ cleanup:
 Status picture_print(const Picture *picture, Text *svg, Error *error) {
   Status status;
   Frame frame;
-  const size_t width = picture->n_views * VIEW_SIZE + (picture->field ? BAR_WIDTH : 0);
+  const size_t width = picture->n_views * VIEW_SIZE + (picture->field ? BAR_WIDTH : 0) +
+                       (picture->n_legend > 0 ? LEGEND_WIDTH : 0);
   TRY(check_finite(picture->x, picture->mesh->n_nodes, 3, "position", error));
   if (picture->field) TRY(check_finite(picture->field, picture->mesh->n_nodes, 1, "field value", error));
   frame_of(picture, &frame);
@@ -234,6 +307,7 @@ Status picture_print(const Picture *picture, Text *svg, Error *error) {
   for (size_t k = 0; k < picture->n_views; k++)
     TRY(print_view(picture, &frame, &picture->views[k], k, svg, error));
   if (picture->field) TRY(print_bar(picture, &frame, svg, error));
+  TRY(print_legend(picture, svg, error));
   TRY(text_append(svg, error, "</svg>\n"));
 cleanup:
   return status;

@@ -21,8 +21,15 @@ typedef struct {
   const char *title; /* may be NULL */
 } PictureView;
 
+/* A dot on the surface with a short label, drawn in every view on whose side it is; the labels of dots that
+ * fall together stand beside one dot. */
 typedef struct {
-  const Mesh *mesh;
+  double x[3];
+  const char *label;
+} PictureMark;
+
+typedef struct {
+  const Mesh *mesh;         /* of which only nodes and elements are looked at */
   const double *x;          /* [n_nodes][3] */
   const double *field;      /* [n_nodes]; NULL: the plain surface, no colour bar */
   const char *label;        /* of the colour bar */
@@ -31,6 +38,10 @@ typedef struct {
   size_t n_views;
   const PictureAxis *axes;
   size_t n_axes;
+  const PictureMark *marks;
+  size_t n_marks;
+  const char *const *legend; /* lines of text right of the views */
+  size_t n_legend;
 } Picture;
 
 /* For v = z e_x: the shear plane (x right, z up, seen from -y) and the view along the vorticity axis turned

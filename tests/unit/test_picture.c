@@ -120,6 +120,46 @@ START_TEST(round_off_is_not_spread_over_the_colours) {
 }
 END_TEST
 
+START_TEST(a_mark_is_drawn_in_the_views_that_see_it) {
+  static const PictureMark marks[] = {{{0, -1, 0}, "front"}, {{0, 1, 0}, "back"}, {{0, 0, 1}, "top"}};
+  static const PictureView from_front[] = {{{0, -1, 0}, {0, 0, 1}, NULL}};
+  Picture picture = of_sphere(0);
+  picture.field = NULL;
+  picture.views = from_front;
+  picture.n_views = 1;
+  picture.n_axes = 0;
+  picture.marks = marks;
+  picture.n_marks = 3;
+  Text svg = printed(&picture);
+  ck_assert_int_eq(occurrences(&svg, "<circle"), 2);
+  ck_assert_int_eq(occurrences(&svg, ">front<"), 1);
+  ck_assert_int_eq(occurrences(&svg, ">top<"), 1); /* on the outline */
+  ck_assert_int_eq(occurrences(&svg, "back"), 0);
+  text_free(&svg);
+}
+END_TEST
+
+START_TEST(marks_that_fall_together_are_one_dot_with_both_labels) {
+  static const PictureMark marks[] = {{{0, -1, 0}, "1"}, {{0.7, -0.7, 0}, "2"}, {{0.01, -1, 0}, "3"}};
+  static const char *const legend[] = {"1 first", "2 <second>"};
+  static const PictureView from_front[] = {{{0, -1, 0}, {0, 0, 1}, NULL}};
+  Picture picture = of_sphere(0);
+  picture.views = from_front;
+  picture.n_views = 1;
+  picture.n_axes = 0;
+  picture.marks = marks;
+  picture.n_marks = 3;
+  picture.legend = legend;
+  picture.n_legend = 2;
+  Text svg = printed(&picture);
+  ck_assert_int_eq(occurrences(&svg, "<circle"), 2);
+  ck_assert_int_eq(occurrences(&svg, ">1 3<"), 1);
+  ck_assert_int_eq(occurrences(&svg, ">2<"), 1);
+  ck_assert_int_eq(occurrences(&svg, "2 &lt;second&gt;"), 1);
+  text_free(&svg);
+}
+END_TEST
+
 START_TEST(the_file_stays_below_a_megabyte_and_a_half) {
   for (int subdivisions = 0; subdivisions <= 5; subdivisions++) {
     const Picture picture = of_sphere(subdivisions);
@@ -155,6 +195,8 @@ int main(void) {
                                         labels_are_escaped, without_a_field_there_is_no_colour_bar,
                                         the_bar_keeps_a_range_that_is_given, a_constant_field_is_drawn,
                                         round_off_is_not_spread_over_the_colours,
+                                        a_mark_is_drawn_in_the_views_that_see_it,
+                                        marks_that_fall_together_are_one_dot_with_both_labels,
                                         the_file_stays_below_a_megabyte_and_a_half,
                                         what_is_not_finite_is_refused_with_its_node, NULL});
   array_free(field);
