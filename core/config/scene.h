@@ -70,6 +70,7 @@ typedef struct {
     bool has_damage; /* membrane.damage was given: damage.law is not NULL */
     SceneLaw damage;
     double d_max;
+    double nonlocal_length; /* 0: the drive of damage is local */
     MassSolver mass_solver;
   } membrane;
 

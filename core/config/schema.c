@@ -90,6 +90,10 @@ const SchemaRow SCHEMA[] = {
     {.key = "membrane.damage.d_max", .type = TYPE_NUMBER, AT(membrane.d_max), .low = 0, .above = true,
      .high = 1, .where = &WITH_DAMAGE, .fallback = "1",
      .meaning = "Largest damage: d is not let beyond it, and below 1 the membrane never ruptures."},
+    {.key = "membrane.damage.nonlocal.length", .type = TYPE_NUMBER, AT(membrane.nonlocal_length), WITHIN(0, 2),
+     .where = &WITH_DAMAGE, .fallback = "0",
+     .meaning = "What drives damage is first averaged over the surface at rest, with the weight "
+                "(1 - r^2/length^2)^2 within this distance; 0: not at all."},
     {.key = "membrane.mass_solver", .type = TYPE_CHOICE, AT(membrane.mass_solver), .choices = MASS_SOLVERS,
      .fallback = "pcg",
      .meaning = "Solver of M q = R for the load q: preconditioned conjugate gradients, or a sparse "

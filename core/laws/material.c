@@ -364,7 +364,7 @@ Status material_new(Material *material, const Scene *scene, const LawSearch *sea
   Status status;
   /* Without physical values, a quantity with a unit has no meaning. */
   const MaterialSources from = {search, scene->flow.is_physical ? scales : NULL, place, log};
-  *material = (Material){.d_max = scene->membrane.d_max};
+  *material = (Material){.d_max = scene->membrane.d_max, .nonlocal_length = scene->membrane.nonlocal_length};
   TRY(take_law(&material->elastic, &material->elastic_values, &material->elastic_field, LAW_ENERGY, elastic,
                &from, error));
   status = measure_rest(material, place ? place->mesh : NULL, error);

@@ -19,6 +19,7 @@ typedef struct {
   ParameterValues elastic_values, damage_values;
   mlaw_field *elastic_field, *damage_field; /* [n_params] views of the above, from element 0 on */
   double d_max;
+  double nonlocal_length;    /* over which what drives damage is averaged; 0: not at all */
   double shear_modulus;      /* G_s = 2 phi_1 at rest, for the means of parameters that vary */
   double dilatation_modulus; /* K_s = 4 (phi_11 + 2 phi_12 + phi_22) - G_s at rest, for the same */
 } Material;

@@ -70,6 +70,7 @@ static Status history_new(MembraneHistory *history, const Membrane *m, Error *er
   if (m->channel_history)
     for (int c = 0; c < MLAW_N_CHANNELS; c++)
       if (m->channels & (1u << c)) TRY(ARRAY_NEW(&history->channel[c], n, error));
+  if (m->is_nonlocal && history == &m->accepted) TRY(ARRAY_NEW(&history->Y, n, error));
 cleanup:
   return status;
 }
@@ -79,6 +80,7 @@ static void history_free(MembraneHistory *history) {
   array_free(history->d);
   array_free(history->elastic_state);
   array_free(history->damage_state);
+  array_free(history->Y);
   for (int c = 0; c < MLAW_N_CHANNELS; c++) array_free(history->channel[c]);
 }
 
@@ -101,7 +103,26 @@ static Status channels_new(Membrane *m, Error *error) {
   m->channel[MLAW_I2] = m->I2;
   for (int c = MLAW_L1; c <= MLAW_T2; c++)
     if (m->channels & (1u << c)) TRY(ARRAY_NEW(&m->channel[c], m->n_points, error));
+  for (int c = 0; c < MLAW_N_CHANNELS; c++) {
+    if (!(m->channels & (1u << c))) continue;
+    if (m->is_nonlocal)
+      TRY(ARRAY_NEW(&m->drive[c], m->n_points, error));
+    else
+      m->drive[c] = m->channel[c];
+  }
 cleanup:
+  return status;
+}
+
+static Status average_new(Membrane *m, Error *error) {
+  Status status = STATUS_OK;
+  double *X = NULL;
+  TRY(ARRAY_NEW(&X, 3 * (size_t)m->n_points, error));
+  for (int k = 0; k < m->n_points; k++) membrane_point_position(m, k, m->mesh->X, X + 3 * (size_t)k);
+  TRY(surface_average_new(&m->average, m->n_points, X, m->weight, m->symmetry, m->material->nonlocal_length,
+                          error));
+cleanup:
+  array_free(X);
   return status;
 }
 
@@ -127,6 +148,7 @@ Status membrane_new(Membrane **membrane, const Mesh *mesh, const Symmetry *symme
   m->has_damage = material_has_damage(material);
   m->channels = material_channels(material);
   m->channel_history = m->has_damage && material->damage.damage->update;
+  m->is_nonlocal = m->has_damage && material->nonlocal_length > 0;
   fill_basis(m);
   double **const arrays[] = {&m->A11,    &m->A12, &m->A22, &m->inverse_det, &m->dS0,
                              &m->weight, &m->I1,  &m->I2,  &m->J,           &m->phi};
@@ -136,6 +158,7 @@ Status membrane_new(Membrane **membrane, const Mesh *mesh, const Symmetry *symme
   TRY(ARRAY_NEW(&m->element_mass, MASS_PAIRS * (size_t)m->n_elements, error));
   TRY(fill_reference(m, error));
   TRY(channels_new(m, error));
+  if (m->is_nonlocal) TRY(average_new(m, error));
   TRY(history_new(&m->accepted, m, error));
   TRY(history_new(&m->trial, m, error));
   history_start(&m->accepted, m);
@@ -153,6 +176,8 @@ void membrane_free(Membrane *m) {
                             m->I2,  m->J,   m->phi, m->dphi,        m->element_force, m->element_mass};
   for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) array_free(arrays[i]);
   for (int c = MLAW_L1; c <= MLAW_T2; c++) array_free(m->channel[c]);
+  for (int c = 0; m->is_nonlocal && c < MLAW_N_CHANNELS; c++) array_free(m->drive[c]);
+  surface_average_free(&m->average);
   history_free(&m->accepted);
   history_free(&m->trial);
   assembly_free(&m->assembly);
@@ -168,10 +193,14 @@ static int mesh_element(const Membrane *m, int orbit) {
   return m->symmetry->elements.representative[orbit];
 }
 
+/* What is done to a block: all at once, or what comes before and after the average of a non-local drive. */
+typedef enum { ALL, STRAIN, DAMAGE } Stage;
+
 /* One block of computed elements: first .. first + n - 1. */
 typedef struct {
   int first, n;
   double t, dt;
+  Stage stage;
 } BlockTask;
 
 static void gather_nodes(const Membrane *m, BlockTask task, const double *x, ElementBlock *block) {
@@ -240,7 +269,7 @@ static Status call_damage_law(const Membrane *m, BlockTask task, int g, Error *e
       .d1 = new->d + k,
       .state1 = new->damage_state ? new->damage_state + k : NULL,
   };
-  if (m->channels >> MLAW_L1)
+  if (m->channels >> MLAW_L1 && !m->is_nonlocal)
     principal_values(task.n, m->I1 + k, m->I2 + k, m->dphi + k, m->dphi + m->n_points + k,
                      m->channel[MLAW_L1] ? m->channel[MLAW_L1] + k : NULL,
                      m->channel[MLAW_L2] ? m->channel[MLAW_L2] + k : NULL,
@@ -248,10 +277,10 @@ static Status call_damage_law(const Membrane *m, BlockTask task, int g, Error *e
                      m->channel[MLAW_T2] ? m->channel[MLAW_T2] + k : NULL);
   for (int c = 0; c < MLAW_N_CHANNELS; c++)
     if (m->channels & (1u << c)) {
-      batch.chan[c] = m->channel[c] + k;
+      batch.chan[c] = m->drive[c] + k;
       if (m->channel_history) {
         batch.chan0[c] = old->channel[c] + k;
-        memcpy(new->channel[c] + k, m->channel[c] + k, (size_t)task.n * sizeof(double));
+        memcpy(new->channel[c] + k, m->drive[c] + k, (size_t)task.n * sizeof(double));
       }
     }
   const Status status = material_damage(m->material, &batch, &failing, error);
@@ -285,22 +314,24 @@ static Status evaluate_block(Membrane *m, BlockTask task, const double *x, Error
   element_kinematics(&m->basis, metric, task.n, &block, m->I1 + first, m->I2 + first, m->J + first);
   TRY(check_elements(m, task, &block, error));
   for (int g = 0; g < RULE_POINTS; g++) {
-    TRY(call_elastic_law(m, task, g, error));
-    if (m->has_damage) TRY(call_damage_law(m, task, g, error));
+    if (task.stage != DAMAGE) TRY(call_elastic_law(m, task, g, error));
+    if (task.stage != STRAIN && m->has_damage) TRY(call_damage_law(m, task, g, error));
   }
+  if (task.stage == STRAIN) goto cleanup;
   element_force(&m->basis, metric, task.n, &block, m->dphi + first, m->dphi + m->n_points + first,
                 m->has_damage ? m->trial.d + first : NULL, m->element_force + first, m->n_elements);
 cleanup:
   return status;
 }
 
-Status membrane_force(Membrane *m, const double *x, double t, double dt, double *R, Error *error) {
+static Status evaluate_blocks(Membrane *m, const double *x, double t, double dt, Stage stage, Error *error) {
   const int n_blocks = (m->n_elements + LANES - 1) / LANES;
   Status status = STATUS_OK;
   int failed_block = n_blocks; /* the first failing block speaks, whatever the order of the threads */
 #pragma omp parallel for schedule(static) if (n_blocks >= PARALLEL_BLOCKS)
   for (int b = 0; b < n_blocks; b++) {
-    const BlockTask task = {.first = b * LANES, .n = block_size(m, b * LANES), .t = t, .dt = dt};
+    const BlockTask task = {
+        .first = b * LANES, .n = block_size(m, b * LANES), .t = t, .dt = dt, .stage = stage};
     Error block_error;
     const Status block_status = evaluate_block(m, task, x, &block_error);
     if (block_status != STATUS_OK) {
@@ -312,7 +343,27 @@ Status membrane_force(Membrane *m, const double *x, double t, double dt, double 
       }
     }
   }
-  if (status == STATUS_OK) assembly_sum(&m->assembly, m->element_force, R);
+  return status;
+}
+
+/* Channels that are no views of what the last evaluation left are filled in first. */
+static void average_drive(Membrane *m) {
+  double *derived[MLAW_N_CHANNELS] = {NULL};
+  for (int c = MLAW_L1; c < MLAW_N_CHANNELS; c++) derived[c] = m->channel[c];
+  membrane_channels(m, derived);
+  for (int c = 0; c < MLAW_N_CHANNELS; c++)
+    if (m->drive[c]) surface_average_apply(&m->average, m->channel[c], m->drive[c]);
+}
+
+Status membrane_force(Membrane *m, const double *x, double t, double dt, double *R, Error *error) {
+  Status status = STATUS_OK;
+  if (m->is_nonlocal) {
+    TRY(evaluate_blocks(m, x, t, dt, STRAIN, error));
+    average_drive(m);
+  }
+  TRY(evaluate_blocks(m, x, t, dt, m->is_nonlocal ? DAMAGE : ALL, error));
+  assembly_sum(&m->assembly, m->element_force, R);
+cleanup:
   return status;
 }
 
@@ -337,4 +388,5 @@ void membrane_commit(Membrane *m) {
     memcpy(to->damage_state, from->damage_state, (size_t)material_damage_vars(m->material) * bytes);
   for (int c = 0; c < MLAW_N_CHANNELS; c++)
     if (to->channel[c]) memcpy(to->channel[c], from->channel[c], bytes);
+  if (to->Y) memcpy(to->Y, m->phi, bytes);
 }

@@ -21,6 +21,7 @@ typedef struct {
   double *elastic_state, *damage_state; /* [n_vars][n_points]; NULL when there are none */
   double
       *channel[MLAW_N_CHANNELS]; /* [n_points] values at the accepted step, only those the damage law reads */
+  double *Y; /* [n_points] with a non-local drive of damage: at each point itself; NULL otherwise */
 } MembraneHistory;
 
 typedef struct Membrane Membrane;

@@ -73,6 +73,10 @@ double membrane_dissipation(const Membrane *m) {
   if (!m->has_damage) return 0;
   const double *Y0 = m->channel_history ? m->accepted.channel[MLAW_Y] : m->accepted.Ymax;
   const double *Y1 = m->channel_history ? m->trial.channel[MLAW_Y] : m->trial.Ymax;
+  if (m->is_nonlocal) { /* what is released at a point is its own energy, whatever drives its damage */
+    Y0 = m->accepted.Y;
+    Y1 = m->phi;
+  }
   double sum = 0;
   for (int k = 0; k < m->n_points; k++)
     sum += 0.5 * (Y0[k] + Y1[k]) * (m->trial.d[k] - m->accepted.d[k]) * m->weight[k];

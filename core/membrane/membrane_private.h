@@ -6,6 +6,7 @@
 #include "membrane/element_kernel.h"
 #include "membrane/mass.h"
 #include "membrane/membrane.h"
+#include "membrane/surface_average.h"
 
 struct Membrane {
   const Mesh *mesh;
@@ -28,10 +29,13 @@ struct Membrane {
   /* Last evaluation, [n_points]; dphi [2][n_points]. */
   double *I1, *I2, *J, *phi, *dphi;
   double *channel[MLAW_N_CHANNELS]; /* owned, but for MLAW_Y, I1, I2, which are views of the above */
-  double *element_force;            /* [18][n_elements] */
-  double *element_mass;             /* [21][n_elements] */
+  double *drive[MLAW_N_CHANNELS]; /* what the damage law is handed: the channels or, non-local, their means */
+  double *element_force;          /* [18][n_elements] */
+  double *element_mass;           /* [21][n_elements] */
 
   MembraneHistory accepted, trial;
+  bool is_nonlocal;
+  SurfaceAverage average; /* non-local only */
   Assembly assembly;
   MassSystem mass;
 };

@@ -173,7 +173,7 @@ Status output_row(Output *output, const HistoryRow *row, Error *error) {
 
 /* ---- snapshots ---- */
 
-enum { MAX_RESTART_ITEMS = MOTION_RESTART_ITEMS + MLAW_N_CHANNELS + 14 };
+enum { MAX_RESTART_ITEMS = MOTION_RESTART_ITEMS + MLAW_N_CHANNELS + 15 };
 
 /* One list serves writing and reading. */
 static size_t restart_items(Output *output, Simulation *s, Record *record, RestartItem *items) {
@@ -194,6 +194,7 @@ static size_t restart_items(Output *output, Simulation *s, Record *record, Resta
     items[n++] = (RestartItem){.name = "damage_state",
                                .count = points * (size_t)material_damage_vars(&s->material),
                                .doubles = history->damage_state};
+  if (history->Y) items[n++] = (RestartItem){.name = "Y", .count = points, .doubles = history->Y};
   for (int c = 0; c < MLAW_N_CHANNELS; c++)
     if (history->channel[c])
       items[n++] = (RestartItem){.name = channel_names[c], .count = points, .doubles = history->channel[c]};

@@ -59,6 +59,16 @@ same a b "summary after a later end"
 times=$(sed 1d intervals/history.csv | cut -d, -f1 | tr '\n' ' ')
 [ "$times" = "0 0.1 0.2 0.3 0.35 0.4 0.45 0.5 0.55 0.6 " ] || fail "rows after other intervals: $times"
 
+# A non-local drive of damage is taken up as well.
+for folder in all part; do
+  end=0.6
+  [ $folder = part ] && end=0.3
+  "$@" -o nonlocal_$folder --set membrane.damage.nonlocal.length=0.3 --set time.end=$end \
+    --set membrane.damage.parameters.Y_D=0.001
+done
+"$@" -o nonlocal_part --resume --set membrane.damage.nonlocal.length=0.3 --set membrane.damage.parameters.Y_D=0.001
+same nonlocal_all/history.csv nonlocal_part/history.csv "history with a non-local drive"
+
 # A run that has ended by rupture stays there.
 set -- "$capsella" run "$root/configs/shear_quick.yaml" --quiet -o ruptured --set capsule.mesh.subdivisions=1 \
   --set flow.capillary_number=2 --set time.end=4

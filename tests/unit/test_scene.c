@@ -37,26 +37,26 @@ static Scene read_good(const char *text, const char *set) {
 }
 
 START_TEST(every_key_lands_in_the_scene) {
-  Scene s =
-      read_good("schema: 1\n"
-                "name: everything\n"
-                "capsule:\n"
-                "  shape: sphere\n"
-                "  mesh: {subdivisions: 4, rotation: {axis: [1, 2, 3], angle: 0.5}}\n"
-                "membrane:\n"
-                "  law: skalak\n"
-                "  parameters: {G_s: 1, C: 10}\n"
-                "  damage: {law: ./my.so#acme.creep, parameters: {tau: 2 s}, d_max: 0.9}\n"
-                "  mass_solver: umfpack\n"
-                "flow: {kind: linear, capillary_number: 0.3, gradient: [[0, 0, 2], [0, 0, 0], [1, 0, 0]]}\n"
-                "time: {end: 3, integrator: rk2, step: 0.01, tolerance: 1e-6, allow_unstable: true}\n"
-                "stop: {rupture: continue, steady: 1e-5}\n"
-                "observe: {criteria: [{law: rankine, parameters: {T_D: 1}}, {name: b, law: ./x.so#y.z}]}\n"
-                "accuracy: draft\n"
-                "symmetry: off\n"
-                "fluid: {method: direct, remove_flux: false}\n"
-                "output: {history_every: 0.1, snapshot_every: 0}\n",
-                NULL);
+  Scene s = read_good(
+      "schema: 1\n"
+      "name: everything\n"
+      "capsule:\n"
+      "  shape: sphere\n"
+      "  mesh: {subdivisions: 4, rotation: {axis: [1, 2, 3], angle: 0.5}}\n"
+      "membrane:\n"
+      "  law: skalak\n"
+      "  parameters: {G_s: 1, C: 10}\n"
+      "  damage: {law: ./my.so#acme.creep, parameters: {tau: 2 s}, d_max: 0.9, nonlocal: {length: 0.25}}\n"
+      "  mass_solver: umfpack\n"
+      "flow: {kind: linear, capillary_number: 0.3, gradient: [[0, 0, 2], [0, 0, 0], [1, 0, 0]]}\n"
+      "time: {end: 3, integrator: rk2, step: 0.01, tolerance: 1e-6, allow_unstable: true}\n"
+      "stop: {rupture: continue, steady: 1e-5}\n"
+      "observe: {criteria: [{law: rankine, parameters: {T_D: 1}}, {name: b, law: ./x.so#y.z}]}\n"
+      "accuracy: draft\n"
+      "symmetry: off\n"
+      "fluid: {method: direct, remove_flux: false}\n"
+      "output: {history_every: 0.1, snapshot_every: 0}\n",
+      NULL);
   ck_assert_str_eq(s.file, "scene.yaml");
   ck_assert_str_eq(s.name, "everything");
   ck_assert_int_eq(s.mesh.subdivisions, 4);
@@ -77,6 +77,7 @@ START_TEST(every_key_lands_in_the_scene) {
   ck_assert(s.membrane.damage.parameters[0].value.has_unit);
   ck_assert_int_eq(s.membrane.damage.parameters[0].value.dim[2], 1);
   ck_assert(s.membrane.d_max == 0.9);
+  ck_assert(s.membrane.nonlocal_length == 0.25);
   ck_assert_uint_eq(s.observe.n_criteria, 2);
   ck_assert_str_eq(s.observe.criteria[0].name, "rankine");
   ck_assert_str_eq(s.observe.criteria[0].law.parameters[0].name, "T_D");
