@@ -1,7 +1,7 @@
 /* capsella run: one scene, one folder of results. */
 #include "app/commands.h"
+#include "app/interrupt.h"
 #include "run/run.h"
-#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -21,22 +21,6 @@ static const char HELP[] =
     "Exit code: 0 done (end, steady or rupture), 1 the computation failed, 2 the input is wrong.\n";
 
 enum { MAX_SETS = 256 };
-
-static volatile int interrupted;
-
-static void interrupt(int signal_number) {
-  (void)signal_number;
-  interrupted = 1;
-}
-
-/* After the first signal the run stops by itself; a second one ends the process as usual. */
-static void catch_signals(void) {
-  struct sigaction action = {.sa_flags = (int)SA_RESETHAND};
-  action.sa_handler = interrupt;
-  sigemptyset(&action.sa_mask);
-  sigaction(SIGINT, &action, NULL);
-  sigaction(SIGTERM, &action, NULL);
-}
 
 static int refuse(const char *what, const char *found) {
   fprintf(stderr, "capsella run: %s%s%s\n%s", what, found ? ", found " : "", found ? found : "", USAGE);
@@ -87,10 +71,10 @@ static int parse(int argc, char **argv, RunOptions *options, const char **sets) 
 
 int command_run(int argc, char **argv) {
   const char *sets[MAX_SETS];
-  RunOptions options = {.sets = sets, .progress = stderr, .interrupt = &interrupted};
+  RunOptions options = {.sets = sets, .progress = stderr, .interrupt = interrupt_flag()};
   const int parsed = parse(argc, argv, &options, sets);
   if (parsed >= 0) return parsed;
-  catch_signals();
+  interrupt_catch();
   Error error;
   Text folder = {0};
   Outcome outcome;

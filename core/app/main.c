@@ -16,6 +16,7 @@ static const struct {
   bool serial; /* computes nothing in threads, so it need not set them up */
 } COMMANDS[] = {
     {"run", command_run, "run a scene: deformation, damage and rupture of a capsule", false},
+    {"study", command_study, "run many scenes: vary keys, find critical values", true},
     {"laws", command_laws, "list the laws of membrane and damage, show one, start a new one", true},
     {"report", command_report, "make a picture of the last state in a folder of results", true},
     {"bench", command_bench, "measure run time against error on this machine", false},

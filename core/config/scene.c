@@ -189,6 +189,25 @@ cleanup:
   return status;
 }
 
+/* From a tree to a scene that holds its sources already. */
+static Status read_tree(Scene *scene, const YamlNode *root, Error *error) {
+  Status status;
+  TRY(read_rows(root, scene, error));
+  TRY(complete(root, scene, error));
+cleanup:
+  return status;
+}
+
+Status scene_read_tree(Scene *scene, const char *file, const YamlNode *root, Error *error) {
+  Status status;
+  *scene = (Scene){0};
+  TRY(keep_sources(scene, file, NULL, 0, error));
+  TRY(read_tree(scene, root, error));
+cleanup:
+  if (status != STATUS_OK) scene_free(scene);
+  return status;
+}
+
 Status scene_read_text(Scene *scene, const char *file, const char *bytes, size_t length,
                        const char *const *sets, size_t n_sets, Error *error) {
   Status status;
@@ -198,8 +217,7 @@ Status scene_read_text(Scene *scene, const char *file, const char *bytes, size_t
   TRY(yaml_tree_parse(&root, scene->file, true, bytes, length, error));
   for (size_t i = 0; i < n_sets && root->kind == YAML_TREE_MAPPING; i++)
     TRY(override_apply(root, sets[i], scene->sources[i], error));
-  TRY(read_rows(root, scene, error));
-  TRY(complete(root, scene, error));
+  TRY(read_tree(scene, root, error));
 cleanup:
   yaml_tree_free(root);
   if (status != STATUS_OK) scene_free(scene);

@@ -125,6 +125,11 @@ Status scene_read(Scene *scene, const char *path, const char *const *sets, size_
 Status scene_read_text(Scene *scene, const char *file, const char *bytes, size_t length,
                        const char *const *sets, size_t n_sets, Error *error);
 
+/* The same from a tree that is there already, with its overrides; `file` is the one whose folder is the
+ * scene's.  The file names in the tree's places must outlive the scene; the tree need not. */
+struct YamlNode;
+Status scene_read_tree(Scene *scene, const char *file, const struct YamlNode *root, Error *error);
+
 void scene_free(Scene *scene);
 
 /* The whole scene as YAML with every default: reads back to the same numbers.  `comments` (may be NULL) are

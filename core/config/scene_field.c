@@ -3,6 +3,7 @@
 
 #include "base/array.h"
 #include "config/value.h"
+#include "config/yaml_print.h"
 #include <inttypes.h>
 #include <math.h>
 #include <stddef.h>
@@ -328,7 +329,7 @@ static Status print_item(const SceneField *field, const FieldItem *item, Text *y
   case ITEM_POINT:
     return print_point(field, yaml, error);
   case ITEM_FILE:
-    return value_print_text(field->file, yaml, error);
+    return yaml_print_text(field->file, yaml, error);
   case ITEM_HASH:
     return text_append(yaml, error, "\"%016" PRIx64 "\"", field->hash);
   case ITEM_SEED:

@@ -3,6 +3,7 @@
 #include "config/value.h"
 
 #include "base/array.h"
+#include "config/yaml_print.h"
 #include <errno.h>
 #include <math.h>
 #include <stdlib.h>
@@ -296,25 +297,6 @@ Status value_read(const SchemaRow *row, const YamlNode *node, Scene *scene, Erro
   return error_set(error, STATUS_FAILED, "`%s` has no type", row->key);
 }
 
-Status value_print_text(const char *value, Text *yaml, Error *error) {
-  static const char PLAIN[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_/.0123456789-";
-  enum { NOT_FIRST = 11 }; /* digits and "-" at the end of PLAIN */
-  const char *first = strchr(PLAIN, *value);
-  if (value[strspn(value, PLAIN)] == '\0' && *value && first < PLAIN + sizeof PLAIN - 1 - NOT_FIRST)
-    return text_append(yaml, error, "%s", value);
-  Status status;
-  TRY(text_append(yaml, error, "\""));
-  for (const char *at = value; *at; at++) {
-    static const char SPECIAL[] = "\"\\\t\n\r", ESCAPES[] = "\"\\tnr";
-    const char *special = strchr(SPECIAL, *at);
-    char escape[2] = {'\\', special ? ESCAPES[special - SPECIAL] : '\0'};
-    TRY(special ? text_append_bytes(yaml, error, escape, 2) : text_append_bytes(yaml, error, at, 1));
-  }
-  TRY(text_append(yaml, error, "\""));
-cleanup:
-  return status;
-}
-
 static Status print_numbers(const double *values, size_t count, Text *yaml, Error *error) {
   Status status = STATUS_OK;
   for (size_t i = 0; i < count; i++) {
@@ -357,7 +339,7 @@ static Status print_criteria(const SceneCriterion *criteria, size_t count, Text 
   TRY(text_append(yaml, error, "["));
   for (size_t i = 0; i < count; i++) {
     TRY(text_append(yaml, error, "%s{name: \"%s\", law: ", i ? ", " : "", criteria[i].name));
-    TRY(value_print_text(criteria[i].law.law, yaml, error));
+    TRY(yaml_print_text(criteria[i].law.law, yaml, error));
     TRY(text_append(yaml, error, ", parameters: "));
     TRY(print_parameters(&criteria[i].law, yaml, error));
     TRY(text_append(yaml, error, "}"));
@@ -371,7 +353,7 @@ Status value_print(const SchemaRow *row, const Scene *scene, Text *yaml, Error *
   const void *value = const_member(row, scene);
   switch (row->type) {
   case TYPE_TEXT:
-    return value_print_text(*(char *const *)value, yaml, error);
+    return yaml_print_text(*(char *const *)value, yaml, error);
   case TYPE_INTEGER:
     return text_append(yaml, error, "%d", *(const int *)value);
   case TYPE_NUMBER:
@@ -394,7 +376,7 @@ Status value_print(const SchemaRow *row, const Scene *scene, Text *yaml, Error *
     return print_rows(points, *(const size_t *)((const char *)scene + row->companion), 2, yaml, error);
   }
   case TYPE_LAW:
-    return value_print_text(((const SceneLaw *)value)->law, yaml, error);
+    return yaml_print_text(((const SceneLaw *)value)->law, yaml, error);
   case TYPE_PARAMETERS:
     return print_parameters(value, yaml, error);
   case TYPE_CRITERIA:

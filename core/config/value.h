@@ -12,9 +12,6 @@ Status value_read(const SchemaRow *row, const YamlNode *node, Scene *scene, Erro
 /* Prints the member as YAML on one line, so that value_read gives the same bits. */
 Status value_print(const SchemaRow *row, const Scene *scene, Text *yaml, Error *error);
 
-/* Text as YAML: as it stands where that reads back as text, in quotes elsewhere. */
-Status value_print_text(const char *value, Text *yaml, Error *error);
-
 /* Frees what value_read allocated and leaves the member empty. */
 void value_free(const SchemaRow *row, Scene *scene);
 

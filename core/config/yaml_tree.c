@@ -244,6 +244,27 @@ void yaml_tree_free(YamlNode *node) {
   array_free(node);
 }
 
+Status yaml_tree_copy(YamlNode **copy, const YamlNode *node, Error *error) {
+  Status status = STATUS_OK;
+  YamlNode *item = NULL;
+  *copy = yaml_tree_new(node->kind, node->place, error);
+  if (!*copy) return error->code;
+  if (node->text && !((*copy)->text = text_copy(node->text, error))) TRY(error->code);
+  for (size_t i = 0; i < node->count; i++) {
+    const YamlNode *original = node->items[i];
+    TRY(yaml_tree_copy(&item, original, error));
+    TRY(original->key ? yaml_tree_insert(*copy, original->key, original->key_place, item, error)
+                      : append(*copy, item, error));
+    item = NULL;
+  }
+  return STATUS_OK;
+cleanup:
+  yaml_tree_free(item);
+  yaml_tree_free(*copy);
+  *copy = NULL;
+  return status;
+}
+
 YamlNode *yaml_tree_find(const YamlNode *mapping, const char *key) {
   for (size_t i = 0; i < mapping->count; i++)
     if (strcmp(mapping->items[i]->key, key) == 0) return mapping->items[i];

@@ -32,6 +32,9 @@ Status yaml_tree_parse(YamlNode **root, const char *file, bool located, const ch
                        Error *error);
 void yaml_tree_free(YamlNode *node);
 
+/* A copy of a node with all below it, without its key. */
+Status yaml_tree_copy(YamlNode **copy, const YamlNode *node, Error *error);
+
 /* The entry of a mapping with this key, or NULL. */
 YamlNode *yaml_tree_find(const YamlNode *mapping, const char *key);
 

@@ -194,13 +194,21 @@ cleanup:
   return status;
 }
 
-Status simulation_new(Simulation *s, Scene *scene, Log *log, Error *error) {
-  Status status = STATUS_OK;
+Status simulation_load_laws(Simulation *s, Scene *scene, Log *log, Error *error) {
+  Status status;
   *s = (Simulation){.scene = scene};
   derive_scales(s);
   describe_flow(s);
   TRY(build_mesh(s, error));
   TRY(load_laws(s, log, error));
+cleanup:
+  if (status != STATUS_OK) simulation_free(s);
+  return status;
+}
+
+Status simulation_new(Simulation *s, Scene *scene, Log *log, Error *error) {
+  Status status = STATUS_OK;
+  TRY(simulation_load_laws(s, scene, log, error));
   TRY(find_symmetry(s, error));
   TRY(membrane_new(&s->membrane, &s->mesh, &s->symmetry, &s->material, scene->membrane.mass_solver, error));
   if (simulation_is_inflation(s)) {

@@ -48,6 +48,9 @@ typedef struct {
 Status simulation_new(Simulation *simulation, Scene *scene, Log *log, Error *error);
 void simulation_free(Simulation *simulation);
 
+/* The laws of the scene alone, to check it or to ask them: the first part of simulation_new. */
+Status simulation_load_laws(Simulation *simulation, Scene *scene, Log *log, Error *error);
+
 /* Brings the initial state to life: first evaluation, spectral radius, refusal of an unstable fixed step. Not
  * called for a run that is resumed. */
 Status simulation_start(Simulation *simulation, Error *error);

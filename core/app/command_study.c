@@ -1,0 +1,107 @@
+/* capsella study: many runs, one folder. */
+#include "app/commands.h"
+#include "app/interrupt.h"
+#include "study/study_run.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char USAGE[] =
+    "usage: capsella study STUDY.yaml [-o DIR] [--jobs N] [--resume] [--set KEY=VALUE]...\n"
+    "                      [--threads N] [--quiet]\n";
+
+static const char HELP[] =
+    "\n"
+    "  -o DIR            where results go (default: results/NAME, NAME of the study)\n"
+    "  --jobs N          cases side by side (default: one for each processor)\n"
+    "  --resume          take over the cases that DIR holds already\n"
+    "  --set KEY=VALUE   replace a value of the study's scene\n"
+    "  --threads N       threads of each case (default: 1)\n"
+    "  --quiet           no progress\n"
+    "\n"
+    "DIR receives table.csv, summary.json and a folder of results for each case. Neither jobs nor threads "
+    "nor a\n"
+    "stop and --resume change the table. Ctrl-C stops all cases after their current step.\n"
+    "Exit code: 0 done (also when single cases failed: they are rows of the table), 1 all cases failed or "
+    "the\n"
+    "study could not go on, 2 the input is wrong.\n";
+
+enum { MAX_SETS = 256, MOST = 4096 };
+
+static int refuse(const char *what, const char *found) {
+  fprintf(stderr, "capsella study: %s%s%s\n%s", what, found ? ", found " : "", found ? found : "", USAGE);
+  return EXIT_INPUT;
+}
+
+static bool parse_count(const char *text, int *count) {
+  char *end;
+  const long value = strtol(text, &end, 10);
+  if (*text == '\0' || *end != '\0' || value < 1 || value > MOST) return false;
+  *count = (int)value;
+  return true;
+}
+
+/* Fills in the options; -1 to go on, an exit code otherwise. */
+static int parse(int argc, char **argv, StudyOptions *options, const char **sets) {
+  for (int i = 1; i < argc; i++) {
+    const char *argument = argv[i], *value = i + 1 < argc ? argv[i + 1] : NULL;
+    const bool is_jobs = strcmp(argument, "--jobs") == 0;
+    if (strcmp(argument, "--help") == 0 || strcmp(argument, "-h") == 0) {
+      fputs(USAGE, stdout);
+      fputs(HELP, stdout);
+      return EXIT_DONE;
+    } else if (strcmp(argument, "--resume") == 0) {
+      options->runner.resume = true;
+    } else if (strcmp(argument, "--quiet") == 0) {
+      options->runner.quiet = true;
+    } else if (strcmp(argument, "-o") == 0) {
+      if (!value || !*value) return refuse("-o needs a folder", NULL);
+      options->folder = argv[++i];
+    } else if (strcmp(argument, "--set") == 0) {
+      if (!value) return refuse("--set needs KEY=VALUE", NULL);
+      if (options->n_sets == MAX_SETS) return refuse("too many --set options", NULL);
+      sets[options->n_sets++] = argv[++i];
+    } else if (is_jobs || strcmp(argument, "--threads") == 0) {
+      int *count = is_jobs ? &options->runner.jobs : &options->runner.threads;
+      if (!value || !parse_count(value, count))
+        return refuse(is_jobs ? "--jobs needs a number from 1 to 4096"
+                              : "--threads needs a number from 1 to 4096",
+                      value);
+      i++;
+    } else if (argument[0] == '-') {
+      return refuse("expected an option of the list below", argument);
+    } else if (options->path) {
+      return refuse("expected one study", argument);
+    } else {
+      options->path = argument;
+    }
+  }
+  return options->path ? -1 : refuse("expected a study file", NULL);
+}
+
+static void print_end(const char *folder, const StudyEnd *end) {
+  printf("%s: %ld cases", end->interrupted ? "interrupted" : "done", end->count.cases);
+  if (end->count.failed > 0) printf(", %ld failed", end->count.failed);
+  if (end->count.taken_over > 0) printf(", %ld known from before", end->count.taken_over);
+  printf("; results in %s\n", folder);
+}
+
+int command_study(int argc, char **argv) {
+  const char *sets[MAX_SETS];
+  StudyOptions options = {.sets = sets, .runner = {.progress = stderr, .interrupt = interrupt_flag()}};
+  const int parsed = parse(argc, argv, &options, sets);
+  if (parsed >= 0) return parsed;
+  interrupt_catch();
+  Error error;
+  Text folder = {0};
+  StudyEnd end;
+  Status status = study_run(&options, &folder, &end, &error);
+  if (status != STATUS_OK)
+    fprintf(stderr, "%s\n", error.text);
+  else if (!options.runner.quiet)
+    print_end(folder.data, &end);
+  if (status == STATUS_OK && end.count.cases > 0 && end.count.failed == end.count.cases)
+    status = STATUS_FAILED;
+  text_free(&folder);
+  return exit_code(status);
+}
