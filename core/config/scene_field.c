@@ -2,7 +2,6 @@
 #include "config/scene_field.h"
 
 #include "base/array.h"
-#include "config/value.h"
 #include "config/yaml_print.h"
 #include <inttypes.h>
 #include <math.h>

@@ -11,7 +11,7 @@ vary:
   membrane.damage.parameters.Y_D: {from: 0.1, to: 0.2, count: 2}
 END
 # "$@" -o FOLDER is the study of this test: four short runs, of which two break.
-set -- "$capsella" study sweep.yaml --quiet --set capsule.mesh.subdivisions=1 --set time.end=1.5 \
+set -- "$capsella" study sweep.yaml --quiet --set capsule.mesh.subdivisions=1 --set time.end=3 \
   --set membrane.damage.parameters.Y_C=0.5
 
 "$@" -o one --jobs 1
@@ -22,7 +22,7 @@ grep -q '^4.0,0.1,"capillary_number=4.0,Y_D=0.1",ruptured,' one/table.csv || fai
 [ -f one/cases/capillary_number=0.5,Y_D=0.1/history.csv ] || fail "a case has no history"
 
 # The runs of a study are those of the same settings.
-"$capsella" run "$root/configs/shear_quick.yaml" --quiet -o alone --set capsule.mesh.subdivisions=1 --set time.end=1.5 \
+"$capsella" run "$root/configs/shear_quick.yaml" --quiet -o alone --set capsule.mesh.subdivisions=1 --set time.end=3 \
   --set membrane.damage.parameters.Y_C=0.5 --set output.snapshot_every=0 --set flow.capillary_number=0.5 --set membrane.damage.parameters.Y_D=0.2 --threads 1
 same alone/history.csv one/cases/capillary_number=0.5,Y_D=0.2/history.csv "a case and the run of its settings"
 
@@ -37,7 +37,7 @@ count=0
 "$@" -o killed --jobs 2 &
 while :; do
   process=$!
-  sleep 0.$((1 + count * 3 % 5))
+  sleep 0.1$((count * 3 % 10))
   kill -9 $process 2>/dev/null || break
   wait $process 2>/dev/null || true
   count=$((count + 1))
