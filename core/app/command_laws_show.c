@@ -173,9 +173,10 @@ int command_laws_show(int argc, char **argv) {
   LawSearch search = {0};
   LoadedLaw law = {0};
   const bool markdown = argc == 3 && strcmp(argv[2], "--markdown") == 0;
-  if (argc != 2 && !markdown) {
-    fprintf(stderr, "usage: capsella laws show ID [--markdown]\n");
-    return EXIT_INPUT;
+  const bool help = argc == 2 && (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0);
+  if (help || (argc != 2 && !markdown)) {
+    fputs("usage: capsella laws show ID [--markdown]\n", help ? stdout : stderr);
+    return help ? EXIT_DONE : EXIT_INPUT;
   }
   TRY(law_search_default(&search, ".", &error)); /* a path is meant from where the user is */
   TRY(law_load(&law, LAW_ANY, argv[1], &search, &error));

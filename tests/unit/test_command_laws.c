@@ -72,6 +72,19 @@ START_TEST(show_prints_a_damage_law_with_its_channels_and_history) {
 }
 END_TEST
 
+START_TEST(show_tells_the_equations_of_a_law_and_makes_a_page_of_it) {
+  ck_assert_int_eq(laws("show skalak"), 0);
+  expect_output("\n\n    phi = G_s/4 (I1^2 + 2 I1 - 2 I2 + C I2^2)\n");
+  ck_assert_int_eq(laws("show skalak --markdown"), 0);
+  expect_output("# `skalak`\n\nSkalak's membrane.\n\n    phi = G_s/4");
+  expect_output("\n| `C` | 1 | resistance to area change");
+  ck_assert_int_eq(laws("show tests/abi/older.so#older_sheet"), 0); /* which says nothing of itself */
+  expect_output("ABI 1.0");
+  ck_assert_int_eq(laws("list --markdown"), 0);
+  expect_output("| [`skalak`](skalak.md) | Skalak's membrane |\n");
+}
+END_TEST
+
 START_TEST(a_law_that_is_not_there_is_an_input_error_with_the_nearest_name) {
   ck_assert_int_eq(laws("show skalek"), 2);
   expect_output("capsella laws: expected the energy or damage law `skalek`");
@@ -84,6 +97,9 @@ START_TEST(a_wrong_call_is_an_input_error_with_the_usage) {
   expect_output("found 'shw'");
   expect_output("usage: capsella laws");
   ck_assert_int_eq(laws("show"), 2);
+  ck_assert_int_eq(laws("show skalak --html"), 2);
+  expect_output("usage: capsella laws show");
+  ck_assert_int_eq(laws("show --help"), 0);
   ck_assert_int_eq(laws("--help"), 0);
   expect_output("usage: capsella laws");
 }
@@ -137,6 +153,7 @@ int main(void) {
                    (SuiteTests){list_gives_kind_id_title_and_file_of_every_law,
                                 show_prints_an_energy_law_with_parameters_and_moduli,
                                 show_prints_a_damage_law_with_its_channels_and_history,
+                                show_tells_the_equations_of_a_law_and_makes_a_page_of_it,
                                 a_law_that_is_not_there_is_an_input_error_with_the_nearest_name,
                                 a_wrong_call_is_an_input_error_with_the_usage,
                                 check_prints_each_test_and_ends_with_1_when_one_fails,

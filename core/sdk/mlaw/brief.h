@@ -26,41 +26,26 @@
 #define MLAW_FITTED(least, greatest) .ok_lo = least, .ok_hi = greatest
 #define MLAW_RANGE(least, greatest)  MLAW_WITHIN(least, greatest), MLAW_FITTED(least, greatest)
 
-/* ---- A plugin of one law, at the end of the file:  MLAW_DAMAGE_PLUGIN(law, "acme.tear", "1.0", "MIT",
- * "you")
- * ---- */
+/* ---- A plugin of one law ---- */
 
+/* At the end of the file:  MLAW_DAMAGE_PLUGIN(law, "acme.tear", "1.0", "MIT", "you") */
 #define MLAW_ENERGY_PLUGIN(law, plugin_id, plugin_version, plugin_license, plugin_author)                    \
   static const mlaw_energy *const mlaw_laws[] = {&law};                                                      \
-  static const mlaw_plugin mlaw_self = {sizeof(mlaw_plugin),                                                 \
-                                        MLAW_ABI_MINOR,                                                      \
-                                        0,                                                                   \
-                                        plugin_id,                                                           \
-                                        plugin_version,                                                      \
-                                        plugin_license,                                                      \
-                                        plugin_author,                                                       \
-                                        1,                                                                   \
-                                        0,                                                                   \
-                                        mlaw_laws,                                                           \
-                                        NULL};                                                               \
-  MLAW_ENTRY
+  MLAW_PLUGIN(plugin_id, plugin_version, plugin_license, plugin_author, .n_energy = 1, .energy = mlaw_laws)
 
 #define MLAW_DAMAGE_PLUGIN(law, plugin_id, plugin_version, plugin_license, plugin_author)                    \
   static const mlaw_damage *const mlaw_laws[] = {&law};                                                      \
-  static const mlaw_plugin mlaw_self = {sizeof(mlaw_plugin),                                                 \
-                                        MLAW_ABI_MINOR,                                                      \
-                                        0,                                                                   \
-                                        plugin_id,                                                           \
-                                        plugin_version,                                                      \
-                                        plugin_license,                                                      \
-                                        plugin_author,                                                       \
-                                        0,                                                                   \
-                                        1,                                                                   \
-                                        NULL,                                                                \
-                                        mlaw_laws};                                                          \
-  MLAW_ENTRY
+  MLAW_PLUGIN(plugin_id, plugin_version, plugin_license, plugin_author, .n_damage = 1, .damage = mlaw_laws)
 
-#define MLAW_ENTRY                                                                                           \
+#define MLAW_PLUGIN(plugin_id, plugin_version, plugin_license, plugin_author, ...)                           \
+  static const mlaw_plugin mlaw_self = {.size = sizeof(mlaw_plugin),                                         \
+                                        .abi_minor = MLAW_ABI_MINOR,                                         \
+                                        .host_minor_min = 0,                                                 \
+                                        .id = plugin_id,                                                     \
+                                        .version = plugin_version,                                           \
+                                        .license = plugin_license,                                           \
+                                        .author = plugin_author,                                             \
+                                        __VA_ARGS__};                                                        \
   const mlaw_plugin *mlaw_plugin_v1(uint32_t host_minor) {                                                   \
     (void)host_minor;                                                                                        \
     return &mlaw_self;                                                                                       \
@@ -75,7 +60,7 @@ static inline double mlaw_not_zero(double hardening) {
 }
 
 /* Damage that is a function of the largest Y: zeta at point i and its slope.  Below the threshold zeta should
- * be negative, or go on falling to 0 at the least, so that f = zeta - d tells how far it is. */
+ * be negative, so that f = zeta - d is negative there even for d = 0. */
 typedef struct {
   double zeta, slope;
 } mlaw_curve;
