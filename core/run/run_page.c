@@ -77,13 +77,19 @@ cleanup:
   return status;
 }
 
+/* A text as it is; null when there is no such file. */
+static Status put_text(RunPage *page, const char *key, const char *name) {
+  Text text = {0};
+  const Status status = has_file(page, name) ? read_text(page, name, &text) : STATUS_OK;
+  if (status == STATUS_OK) json_string(&page->json, key, text.data);
+  text_free(&text);
+  return status;
+}
+
 static Status put_summary(RunPage *page) {
-  if (!has_file(page, "summary.json")) {
-    json_null(&page->json, "summary");
-    return STATUS_OK;
-  }
   Text summary = {0};
-  const Status status = read_text(page, "summary.json", &summary);
+  const Status status =
+      has_file(page, "summary.json") ? read_text(page, "summary.json", &summary) : STATUS_OK;
   if (status == STATUS_OK) json_raw(&page->json, "summary", summary.length > 0 ? summary.data : "null");
   text_free(&summary);
   return status;
@@ -106,6 +112,7 @@ static Status put_scene(RunPage *page, const char *resolved) {
     json_null(json, "capillary_number");
   else
     json_number(json, "capillary_number", capillary_number(scene));
+  json_numbers(json, "gradient", scene->flow.gradient[0], 9);
   json_string(json, "elastic", scene->membrane.elastic.law);
   json_string(json, "damage", scene->membrane.has_damage ? scene->membrane.damage.law : NULL);
   json_close(json);
@@ -249,6 +256,7 @@ Status run_page_write(const char *folder, Log *log, Error *error) {
   TRY(put_scene(&page, resolved.data));
   TRY(put_summary(&page));
   TRY(put_history(&page));
+  TRY(put_text(&page, "criteria", "criteria.csv"));
   TRY(put_surfaces(&page));
   json_close(&page.json);
   TRY(json_end(&page.json));

@@ -37,7 +37,8 @@ opens() {
 }
 
 "$capsella" run "$root/configs/shear_reference.yaml" --quiet -o sheared --set capsule.mesh.subdivisions=2 \
-  --set time.end=1.5 --set output.snapshot_every=0.25
+  --set time.end=1.5 --set output.snapshot_every=0.25 \
+  --set 'observe.criteria=[{law: rankine, parameters: {T_D: 0.1, T_C: 0.9}}, {law: marigo, parameters: {Y_D: 0.01, Y_C: 2}}]'
 opens sheared probe_run.js
 "$capsella" run "$root/configs/inflation_monotone.yaml" --quiet -o inflated --set capsule.mesh.subdivisions=1
 opens inflated probe_run.js

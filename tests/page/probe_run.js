@@ -67,6 +67,24 @@ async function checkViews() {
   }
 }
 
+// Somewhere in the right half of the picture lies the deformed capsule.
+async function checkHover() {
+  const box = one('.picture').getBoundingClientRect();
+  one('.picture').dispatchEvent(new PointerEvent('pointermove', {clientX: box.left + 0.75 * box.width, clientY: box.top + 0.5 * box.height}));
+  check(/= \S*\d/.test(one('.readout').textContent), `under the pointer: "${one('.readout').textContent}"`);
+}
+
+async function checkSorting() {
+  const heads = all('.sortable th button'), column = heads.findIndex(head => head.textContent === 't_c');
+  if (column < 0) return;
+  const values = () => all('.sortable tbody tr').map(row => Number(row.cells[column].textContent));
+  await press(heads[column]);
+  const rising = values();
+  check(rising.length === 2 && rising[0] < rising[1], `sorted by t_c: ${rising}`);
+  await press(heads[column]);
+  check(values()[0] === rising[1] && values()[1] === rising[0], `sorted the other way: ${values()}`);
+}
+
 async function checkCurves() {
   const canvases = all('.uplot canvas');
   check(canvases.length >= 8, `only ${canvases.length} curves`);
@@ -93,6 +111,8 @@ async function probe() {
   await checkPlay();
   await checkColours();
   await checkViews();
+  await checkHover();
+  await checkSorting();
   await checkCurves();
   await checkTheme();
   check(one('#scene').textContent.includes('capillary_number') || expected.D12 < 1e-6, 'the scene is not in the page');

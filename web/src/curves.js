@@ -15,6 +15,12 @@ function axis(label) {
   };
 }
 
+// Curves that differ from a constant by round-off only are drawn flat.
+function linearRange(_, low, high) {
+  if (low == null) return [0, 1];
+  return high - low > 1e-9 ? uPlot.rangeNum(low, high, 0.1, true) : [low - 1, high + 1];
+}
+
 // Powers of ten, so many that their numbers do not touch.
 function powers(_, __, low, high) {
   const first = Math.ceil(Math.log10(low) - 1e-9), last = Math.floor(Math.log10(high) + 1e-9), every = Math.ceil((last - first + 1) / 6);
@@ -72,7 +78,7 @@ export class Curves {
     const colors = curveColors();
     const options = {
       width: this.width(host), height: this.height,
-      scales: {x: {time: false}, y: {distr: log ? 3 : 1}},
+      scales: {x: {time: false}, y: log ? {distr: 3} : {range: linearRange}},
       cursor: {sync: this.group && {key: this.group, setSeries: false}, drag: {x: true, y: false}, points: {size: 6}},
       legend: {live: true},
       axes: [axis(this.x.label), {...axis(), ...(log && {splits: powers, filter: (_, splits) => splits})}],

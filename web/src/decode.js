@@ -33,11 +33,12 @@ function cells(line) {
   return found;
 }
 
-// {names, column: {name: [values]}, length}; empty cells and nan are null.
+// {names, column: {name: [values]}, rows: [{name: value}], length}; empty cells and nan are null.
 export function table(csv) {
   const lines = csv.split(/\r?\n/).filter(line => line !== '');
   const names = lines.length ? lines[0].split(',') : [];
   const rows = lines.slice(1).map(cells);
+  const records = rows.map(row => Object.fromEntries(names.map((name, k) => [name, row[k] ?? null])));
   const column = Object.fromEntries(names.map((name, k) => [name, rows.map(row => row[k] ?? null)]));
-  return {names, column, length: rows.length};
+  return {names, column, rows: records, length: rows.length};
 }

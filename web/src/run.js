@@ -4,6 +4,7 @@ import {table} from './decode.js';
 import {h, section} from './dom.js';
 import {duration, format} from './format.js';
 import {Model} from './model.js';
+import {sortableTable} from './table.js';
 import {Viewer} from './viewer.js';
 
 const DEGREES = 180 / Math.PI;
@@ -142,17 +143,57 @@ function curvesOf(data, onpick) {
 
 // ---- the capsule ----
 
-function markOf(summary) {
-  if (summary?.rupture) return {label: 'first rupture', X: summary.rupture.X};
-  if (summary?.d_max_location) return {label: 'largest d', X: summary.d_max_location.X};
-  return null;
+// Where the membrane ruptured or is damaged most; then, for each criterion that looked on, the same, by its number.
+// Criteria that agree on a place share a mark.
+function marksOf({summary, criteria}) {
+  const own = summary?.rupture ? [{label: 'first rupture', X: summary.rupture.X}]
+    : summary?.d_max_location ? [{label: 'largest d', X: summary.d_max_location.X}] : [];
+  const places = new Map();
+  criteriaOf(criteria).forEach(({X1, X2, X3, d_max}, k) => {
+    if (!(d_max > 0)) return;
+    const key = [X1, X2, X3].map(value => value.toFixed(3)).join();
+    places.set(key, {X: [X1, X2, X3], numbers: [...(places.get(key)?.numbers ?? []), k + 1]});
+  });
+  const others = [...places.values()].map(({X, numbers}) => ({label: numbers.join(', '), X}));
+  return [...own, ...others];
+}
+
+const criteriaOf = csv => (csv ? table(csv).rows : []);
+
+const CRITERIA = [
+  {key: 'number', label: '№', title: 'number of its mark on the capsule'},
+  {key: 'criterion', label: 'criterion'},
+  {key: 'law', label: 'law'},
+  {key: 'status', label: 'status'},
+  {key: 't_c', label: 't_c', title: 'first damage'},
+  {key: 't_l', label: 't_l', title: 'rupture'},
+  {key: 'd_max', label: 'd_max', title: 'largest damage'},
+  {key: 'angle_to_vorticity_deg', label: '∠ vorticity', title: 'place of rupture, or of the largest damage, from the vorticity axis, degrees'},
+  {key: 'angle_to_major_axis_deg', label: '∠ e₁', title: 'the same from the major axis, degrees'},
+  {key: 'damaged_area_fraction', label: 'S(d > 0)/S₀', title: 'damaged part of the area'},
+];
+
+// Criteria of damage that looked on without acting on the membrane.
+function criteria(csv) {
+  const rows = criteriaOf(csv).map((row, k) => ({number: k + 1, ...row}));
+  if (!rows.length) return null;
+  return section('Criteria that looked on',
+    h('p', {class: 'note'}, 'Each read this run without acting on it. Its place of rupture, or of largest damage, bears its number on the capsule.'),
+    sortableTable(CRITERIA, rows));
+}
+
+// The axis that L3 and e1 refer to: a flow without vorticity has its intermediate axis of strain in its place.
+function axisOf({scene, surface}) {
+  if (!surface.vorticity) return null;
+  const G = scene.gradient, rotates = [[0, 1], [1, 2], [2, 0]].some(([i, j]) => G[3 * i + j] !== G[3 * j + i]);
+  return {direction: surface.vorticity, label: rotates ? 'vorticity' : 'middle axis'};
 }
 
 function viewerOf(data, start) {
   if (!data.surface) return {element: h('p', {class: 'note'}, 'There is no whole snapshot to draw.')};
   try {
     return new Viewer(new Model(data.surface), {
-      mark: markOf(data.summary), flow: data.scene.flow, vorticity: data.surface.vorticity, start});
+      marks: marksOf(data), flow: data.scene.flow, axis: axisOf(data), start});
   } catch (error) {
     if (!/webgl/i.test(error.message)) throw error;
     return {element: h('p', {class: 'note'}, 'This browser has no WebGL, which the picture of the capsule needs.')};
@@ -169,6 +210,7 @@ export function runPage(data, start) {
       section('The capsule', viewer.element),
       section('Figures at the end', figures(data))),
     curves && section('Over time', h('p', {class: 'note'}, 'Lengths by a, time by 1/rate, tensions by G_s. Click to see the capsule at that time, drag to zoom, double-click to see all.'), curves.element),
+    criteria(data.criteria),
     h('div', {class: 'ends'},
       section('Cost', cost(data.summary)),
       section('What was skipped', skipped(data.summary))),

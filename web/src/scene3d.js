@@ -61,9 +61,8 @@ class Pane {
     for (const object of [this.body, this.outline, this.mesh]) object.frustumCulled = false;
     this.axes = new Group();
     for (const axis of axes) this.axes.add(axis);
-    this.dot = dot(0.045);
-    this.dot.visible = false;
-    this.scene.add(this.body, this.outline, this.mesh, this.axes, this.dot, new AmbientLight('#fff', 1.35));
+    this.dots = [];
+    this.scene.add(this.body, this.outline, this.mesh, this.axes, new AmbientLight('#fff', 1.35));
     this.light = new DirectionalLight('#fff', 2.1);
     this.scene.add(this.light, this.light.target);
   }
@@ -72,12 +71,22 @@ class Pane {
     this.geometry.setAttribute(name, new BufferAttribute(values, 3));
   }
 
+  // A dot rides on each of these drawing points.
+  addDots(vertices) {
+    for (const vertex of vertices) {
+      const object = dot(0.04);
+      this.dots.push({vertex, object});
+      this.scene.add(object);
+    }
+  }
+
   place(position, normal, center) {
     const target = this.geometry.getAttribute('position');
     for (let i = 0; i < position.length; i++) target.array[i] = position[i] - center[i % 3];
     this.geometry.getAttribute('normal').array.set(normal);
     target.needsUpdate = this.geometry.getAttribute('normal').needsUpdate = true;
     this.geometry.boundingSphere = null;
+    for (const {vertex, object} of this.dots) object.position.copy(this.point(vertex));
   }
 
   paint(colors) {

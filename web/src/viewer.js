@@ -21,10 +21,22 @@ function ticks([low, high], count = 5) {
   return Array.from({length: Math.floor(high / step + 1e-9) - first + 1}, (_, k) => Number(((first + k) * step).toPrecision(12)));
 }
 
+// Marks on one point share their label.
+function merged(marks) {
+  const points = new Map();
+  for (const mark of marks) {
+    const known = points.get(mark.vertex);
+    points.set(mark.vertex, known ? {...known, label: `${known.label}; ${mark.label}`} : mark);
+  }
+  return [...points.values()];
+}
+
 export class Viewer {
-  // marks: {label, X} or null; flow: kind of the flow; start: wishes from the address ({frame, color, ...})
-  constructor(model, {mark, flow, vorticity, start = {}}) {
-    Object.assign(this, {model, mark, flow, vorticity});
+  // marks: [{label, X}], points of the membrane by their reference position; flow: kind of the flow;
+  // axis: {direction, label} of the flow, or null; start: wishes from the address ({frame, color, ...})
+  constructor(model, {marks, flow, axis, start = {}}) {
+    Object.assign(this, {model, flow, axis});
+    this.marks = merged(marks.map(({label, X}) => ({label, X, vertex: model.surface.nearest(X)})));
     const {fields} = model, wanted = fields.find(field => field.id === start.color);
     this.field = wanted ?? (start.color === 'none' ? null : fields[0]);
     this.map = MAPS[0];
@@ -55,7 +67,7 @@ export class Viewer {
       oninput: () => this.show(Number(this.slider.value))});
     this.button = h('button', {class: 'play', 'aria-label': 'play', onclick: () => this.play(!this.timer)}, '▶');
     this.bar = h('div', {class: 'bar'});
-    const views = [['oblique', 'oblique'], ['shear', 'along vorticity'], ['e2', 'along e₂'], ['top', 'along z']];
+    const views = [['oblique', 'oblique'], ['shear', `along ${this.axis?.label ?? 'y'}`], ['e2', 'along e₂'], ['top', 'along z']];
     this.element = h('div', {class: 'viewer'},
       h('div', {class: 'tools'},
         choice('colour', [...model.fields.map(({id, label}) => [id, label]), ['none', 'shape only']], this.field?.id ?? 'none', id => {
@@ -71,7 +83,7 @@ export class Viewer {
       h('div', {class: 'player'}, this.button, this.slider, this.time),
       h('div', {class: 'tools'},
         toggle('reference beside', true, on => this.showReference(on)),
-        this.vorticity && toggle('axes', true, on => (this.scene.panes.forEach(pane => (pane.axes.visible = on)), this.scene.render())),
+        this.axis && toggle('axes', true, on => (this.scene.panes.forEach(pane => (pane.axes.visible = on)), this.scene.render())),
         toggle('elements', false, on => (this.scene.panes.forEach(pane => (pane.mesh.visible = on)), this.scene.render())),
         h('button', {onclick: () => this.save()}, 'save picture'),
         this.readout),
@@ -89,8 +101,7 @@ export class Viewer {
     const {model} = this;
     this.scene = new Scene3d(this.picture, model.surface, model.reach(), () => this.placeLabels());
     this.scene.showReference = true;
-    this.vertex = this.mark ? model.surface.nearest(this.mark.X) : null;
-    for (const pane of this.scene.panes) pane.dot.visible = this.vertex !== null;
+    for (const pane of this.scene.panes) pane.addDots(this.marks.map(({vertex}) => vertex));
     const {position, normal} = model.surface.reference;
     this.scene.reference.place(position, normal, [0, 0, 0]);
     this.picture.addEventListener('pointermove', event => this.hover(event));
@@ -111,14 +122,13 @@ export class Viewer {
     const {t, center, e1, L} = model.frames[frame], {position, normal} = model.shape(frame);
     scene.deformed.place(position, normal, center);
     const reach = 1.35;
-    for (const rod of scene.vorticity) rod.visible = this.vorticity !== null;
-    if (this.vorticity) {
-      scene.vorticity[0].userData.turn(this.vorticity, 2 * reach);
-      scene.vorticity[1].userData.turn(this.vorticity, L[2] + 2 * (reach - 1));
+    for (const rod of scene.vorticity) rod.visible = this.axis !== null;
+    if (this.axis) {
+      scene.vorticity[0].userData.turn(this.axis.direction, 2 * reach);
+      scene.vorticity[1].userData.turn(this.axis.direction, L[2] + 2 * (reach - 1));
     }
     scene.majorAxis.visible = e1 !== null;
     if (e1) scene.majorAxis.userData.turn(e1, L[0] + 2 * (reach - 1));
-    if (this.vertex !== null) for (const pane of scene.panes) pane.dot.position.copy(pane.point(this.vertex));
     this.slider.value = frame;
     this.slider.setAttribute('aria-valuetext', `t = ${format(t, 4)}`);
     this.time.textContent = `t = ${format(t, 5)}`;
@@ -150,8 +160,8 @@ export class Viewer {
   }
 
   look(name) {
-    const side = this.mark && this.mark.X[1] > 0.1 ? 1 : -1, e2 = this.model.frames[this.frame].e2;
-    const from = {oblique: [0.55 * -side, side, 0.5], shear: [0, -1, 0], e2: e2 ?? [0, 0, 1], top: [0, -1e-4, 1]};
+    const side = this.marks[0]?.X[1] > 0.1 ? 1 : -1, e2 = this.model.frames[this.frame].e2;
+    const from = {oblique: [0.55 * -side, side, 0.5], shear: this.axis ? this.axis.direction.map(c => (c ? -c : 0)) : [0, -1, 0], e2: e2 ?? [0, 0, 1], top: [0, -1e-4, 1]};
     this.scene.lookFrom(from[name] ?? from.oblique);
   }
 
@@ -201,15 +211,15 @@ export class Viewer {
       this.labels.append(h('span', {class: 'title', style: `left: ${box.x + box.width / 2}px; top: ${box.y + box.height - 24}px`}, title));
     }
     const {e1, L} = model.frames[this.frame];
-    const axis = this.vorticity && new Vector3(...this.vorticity);
+    const axis = this.axis && new Vector3(...this.axis.direction);
     const isAcross = axis && Math.abs(axis.dot(scene.camera.position.clone().normalize())) < 0.95; // else seen end-on
     if (scene.reference.axes.visible && isAcross) {
-      put(scene.deformed, axis.clone().multiplyScalar(-(L[2] / 2 + 0.48)), 'vorticity', 'axis vorticity');
-      put(scene.reference, axis.clone().multiplyScalar(-1.5), 'vorticity', 'axis vorticity');
+      put(scene.deformed, axis.clone().multiplyScalar(-(L[2] / 2 + 0.48)), this.axis.label, 'axis vorticity');
+      put(scene.reference, axis.clone().multiplyScalar(-1.5), this.axis.label, 'axis vorticity');
     }
     if (scene.reference.axes.visible && e1) put(scene.deformed, new Vector3(...e1).multiplyScalar(L[0] / 2 + 0.45), 'e₁', 'axis major');
-    if (this.vertex !== null)
-      for (const pane of scene.panes) put(pane, pane.point(this.vertex), this.mark.label, 'mark');
+    for (const {vertex, label} of this.marks)
+      for (const pane of scene.panes) put(pane, pane.point(vertex), label, 'mark');
     this.placeTriad();
   }
 
