@@ -1,17 +1,10 @@
 #include "study/benchmark_page.h"
 
 #include "base/array.h"
-#include "base/file.h"
-#include "study/benchmark.h"
-#include "study/process.h"
+#include "study/benchmark_private.h"
 #include "study/work_page.h"
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
-enum { ELASTIC, DAMAGE, N_CASES = BENCHMARK_PICTURES };
-enum { THREADS = 2 };
 const char *const benchmark_picture_names[N_CASES] = {"benchmarks-elastic.svg", "benchmarks-damage.svg"};
 
 static const double damage_times[] = {1, 2, 5, 10}, elastic_times[] = {1, 2, 5, 8};
@@ -26,149 +19,13 @@ static const char *const titles[N_CASES] = {
     [DAMAGE] = "Ca = 0.7 with damage, at t = 10",
 };
 
-typedef struct {
-  const BenchmarkOptions *options;
-  Text *page;
-  Error *error;
-  double kernel_rate;
-  WorkPrecision work[N_CASES];
-  RunCost paper; /* the paper's algorithm on the case with damage */
-} Bench;
-
-static void tell(const Bench *bench, const char *line) {
+void bench_tell(const Bench *bench, const char *line) {
   if (bench->options->progress) bench->options->progress(line);
 }
 
-static Status say(Bench *bench, const char *what) {
-  tell(bench, what);
+Status bench_say(Bench *bench, const char *what) {
+  bench_tell(bench, what);
   return text_append(bench->page, bench->error, "\n## %s\n\n", what);
-}
-
-/* ---- the single layer ---- */
-
-static const char *const METHODS[] = {"direct", "fast", "reference"};
-enum { N_METHODS = sizeof METHODS / sizeof *METHODS };
-
-static Status bench_layer(Bench *bench) {
-  static const double shapes[3][3] = {{1, 1, 1}, {2, 1, 0.5}, {3, 1, 1.0 / 3}};
-  Status status = STATUS_OK;
-  TRY(say(bench, "Error of the single layer"));
-  TRY(text_append(
-      bench->page, bench->error,
-      "A rigid ellipsoid in translation (exact solution), largest error of the velocity over the nodes, "
-      "relative to the velocity.\nIn brackets: difference to the method `reference` on the same surface, "
-      "which leaves the error of the P2 geometry out.\n\n"
-      "| method | elements | 1:1:1 | 2:1:0.5 | 3:1:1/3 |\n|---|---|---|---|---|\n"));
-  for (int m = 0; m < N_METHODS; m++)
-    for (int level = 2; level <= (bench->options->full ? 4 : 3); level++) {
-      TRY(text_append(bench->page, bench->error, "| %s | %d |", METHODS[m], 20 << 2 * level));
-      for (int k = 0; k < 3; k++) {
-        LayerError layer = {.method = METHODS[m], .subdivisions = level};
-        memcpy(layer.axes, shapes[k], sizeof layer.axes);
-        TRY(benchmark_layer(&layer, bench->error));
-        TRY(text_append(bench->page, bench->error, " %.1e (%.1e) |", layer.error, layer.quadrature));
-      }
-      TRY(text_append(bench->page, bench->error, "\n"));
-    }
-cleanup:
-  return status;
-}
-
-/* ---- one evaluation ---- */
-
-static double rate_of(const EvaluationCost *cost) {
-  return 1e3 * (double)(cost->far + cost->near + cost->singular) / cost->milliseconds;
-}
-
-static Status row_of_evaluation(Bench *bench, EvaluationCost *cost) {
-  Status status = STATUS_OK;
-  TRY(benchmark_evaluation(cost, bench->error));
-  TRY(text_append(bench->page, bench->error,
-                  "| %s | %d | %s | %d | %.3f | %.3f | %lld | %lld | %lld | %.2f |\n", cost->method,
-                  cost->elements, cost->symmetric ? "quarter" : "whole", cost->threads, cost->milliseconds,
-                  cost->membrane_milliseconds, cost->far, cost->near, cost->singular, 1e-9 * rate_of(cost)));
-cleanup:
-  return status;
-}
-
-static Status summarize_evaluations(Bench *bench, EvaluationCost cost[N_METHODS][2][2]) {
-  Status status;
-  TRY(text_append(
-      bench->page, bench->error,
-      "\n| method | share of the bare kernel's rate, one thread | speed-up by two threads, whole | "
-      "speed-up by symmetry, one thread | two threads |\n|---|---|---|---|---|\n"));
-  for (int m = 0; m < N_METHODS; m++)
-    TRY(text_append(bench->page, bench->error, "| %s | %.0f %% | %.2f | %.2f | %.2f |\n", METHODS[m],
-                    100 * rate_of(&cost[m][0][0]) / bench->kernel_rate,
-                    cost[m][0][0].milliseconds / cost[m][0][1].milliseconds,
-                    cost[m][0][0].milliseconds / cost[m][1][0].milliseconds,
-                    cost[m][0][1].milliseconds / cost[m][1][1].milliseconds));
-cleanup:
-  return status;
-}
-
-static Status bench_evaluation(Bench *bench) {
-  Status status;
-  EvaluationCost cost[N_METHODS][2][2]; /* [method][symmetric][threads - 1] */
-  TRY(say(bench, "Cost of one velocity evaluation"));
-  TRY(text_append(
-      bench->page, bench->error,
-      "On the ellipsoid 2:1:0.5, median of nine. The membrane is internal force, mass matrix and load.\n\n"
-      "| method | elements | nodes summed | threads | ms | of it membrane | far pairs | near pairs | "
-      "singular pairs | 10^9 pairs/s |\n|---|---|---|---|---|---|---|---|---|---|\n"));
-  for (int m = 0; m < N_METHODS; m++)
-    for (int symmetric = 0; symmetric < 2; symmetric++)
-      for (int threads = 1; threads <= 2; threads++) {
-        EvaluationCost *one = &cost[m][symmetric][threads - 1];
-        *one = (EvaluationCost){
-            .method = METHODS[m], .subdivisions = 3, .threads = threads, .symmetric = symmetric};
-        TRY(row_of_evaluation(bench, one));
-      }
-  TRY(summarize_evaluations(bench, cost));
-cleanup:
-  return status;
-}
-
-static Status bench_growth(Bench *bench) {
-  enum { COARSEST = 2, FITTED = 3, FINEST = 6 };
-  Status status;
-  double elements[FINEST], milliseconds[FINEST];
-  int n = 0;
-  TRY(say(bench, "Growth of the cost with the mesh"));
-  TRY(text_append(
-      bench->page, bench->error,
-      "| method | elements | nodes summed | threads | ms | of it membrane | far pairs | near pairs | "
-      "singular pairs | 10^9 pairs/s |\n|---|---|---|---|---|---|---|---|---|---|\n"));
-  for (int level = COARSEST; level <= (bench->options->full ? FINEST : FINEST - 1); level++) {
-    EvaluationCost cost = {.method = "fast", .subdivisions = level, .threads = THREADS, .symmetric = true};
-    TRY(row_of_evaluation(bench, &cost));
-    if (level < FITTED) continue;
-    elements[n] = cost.elements;
-    milliseconds[n++] = cost.milliseconds;
-  }
-  TRY(text_append(bench->page, bench->error,
-                  "\nFrom %.0f to %.0f elements the time of an evaluation grows as the number of elements to "
-                  "the power %.2f.\n",
-                  elements[0], elements[n - 1], work_exponent(n, elements, milliseconds)));
-cleanup:
-  return status;
-}
-
-static Status bench_law(Bench *bench) {
-  Status status;
-  LawCost law;
-  EvaluationCost whole = {.method = "fast", .subdivisions = 3, .threads = 1};
-  TRY(say(bench, "Cost of a law in a plugin"));
-  TRY(benchmark_law(bench->options->compiled_in, &law, bench->error));
-  TRY(benchmark_evaluation(&whole, bench->error));
-  TRY(text_append(bench->page, bench->error,
-                  "The internal force of 1280 elements on one thread takes %.1f us with the neo-Hookean law "
-                  "from its shared object and %.1f us with the same source linked into the program (medians "
-                  "of 801, by turns): a difference of %.3f %% of an evaluation.\n",
-                  law.plugin_microseconds, law.compiled_in_microseconds,
-                  0.1 * (law.plugin_microseconds - law.compiled_in_microseconds) / whole.milliseconds));
-cleanup:
-  return status;
 }
 
 /* ---- run time against error ---- */
@@ -176,7 +33,8 @@ cleanup:
 static Status bench_case(Bench *bench, int k, Text *picture) {
   Status status;
   WorkPrecision *work = &bench->work[k];
-  TRY(work_precision(&cases[k], bench->options->full, THREADS, bench->options->progress, work, bench->error));
+  TRY(work_precision(&cases[k], bench->options->full, BENCHMARK_THREADS, bench->options->progress, work,
+                     bench->error));
   TRY(text_append(bench->page, bench->error, "\n### %s\n\n![Run time against error](%s)\n\n", titles[k],
                   benchmark_picture_names[k]));
   TRY(work_print_picture(work, titles[k], k == DAMAGE && bench->options->full ? &bench->paper : NULL, picture,
@@ -187,15 +45,17 @@ cleanup:
 }
 
 static Status bench_choices(Bench *bench, BenchmarkPage *page) {
-  Status status = STATUS_OK;
-  TRY(say(bench, "Run time against error: which mesh, method and tolerance"));
+  Status status;
+  TRY(bench_say(bench, "Run time against error: which mesh, method and tolerance"));
   TRY(text_append(
       bench->page, bench->error,
       "Two threads, no output; CPU seconds and seconds are medians of up to five runs (one, when it takes "
       "three seconds).\nThe error of the shape is the largest of those of D12 and the three axes of the "
       "ellipsoid of inertia (relative), of beta/pi and of the area strain, against `fast` on %d elements "
       "with "
-      "rkc2 at 1e-5; that of d_max is absolute.\nAll points are in the tables at the end of the page.\n",
+      "rkc2 at 1e-5; that of d_max is absolute.\nAn error counts no less than its "
+      "largest part (by space, quadrature or time), so that parts that happen to cancel are no merit.\nAll "
+      "points are in the tables at the end of the page.\n",
       bench->options->full ? 20480 : 5120));
   for (int k = 0; k < N_CASES; k++) TRY(bench_case(bench, k, &page->picture[k]));
 cleanup:
@@ -203,7 +63,7 @@ cleanup:
 }
 
 static Status bench_grids(Bench *bench) {
-  Status status = STATUS_OK;
+  Status status;
   TRY(text_append(
       bench->page, bench->error,
       "\n## All points\n\nParts of the error of the shape, each found by turning one knob: by space, the "
@@ -254,8 +114,8 @@ static Status run_paper(Bench *bench) {
                            .sets = sets,
                            .times = damage_times,
                            .n_times = bench->options->full ? 4 : 2,
-                           .threads = THREADS};
-  tell(bench, bench->paper.label);
+                           .threads = BENCHMARK_THREADS};
+  bench_tell(bench, bench->paper.label);
   return benchmark_run(&bench->paper, bench->error);
 }
 
@@ -276,9 +136,9 @@ static Status bench_paper(Bench *bench) {
   RunCost best = {.sets = (const char *const[]){"fluid.method=reference", "time.tolerance=1e-6", NULL},
                   .times = damage_times,
                   .n_times = bench->paper.n_times,
-                  .threads = THREADS};
+                  .threads = BENCHMARK_THREADS};
   const size_t last = bench->paper.n_times - 1;
-  TRY(say(bench, "Against the paper's own algorithm"));
+  TRY(bench_say(bench, "Against the paper's own algorithm"));
   TRY(text_append(
       bench->page, bench->error,
       "Ca = 0.7 with damage, 1280 elements, to t = %g, two threads, no output. The first row is `direct` on "
@@ -295,137 +155,14 @@ static Status bench_paper(Bench *bench) {
                    .sets = runs[k].sets,
                    .times = damage_times,
                    .n_times = bench->paper.n_times,
-                   .threads = THREADS};
-    tell(bench, run.label);
+                   .threads = BENCHMARK_THREADS};
+    bench_tell(bench, run.label);
     TRY(row_of_run(bench, &run, &best));
   }
   TRY(text_append(bench->page, bench->error,
                   "\nThe converged run: D12 = %.6f, beta/pi = %.5f, d_max = %.5f, %lld evaluations.\n",
                   best.state[last].D12, best.state[last].beta / 3.14159265358979, best.state[last].d_max,
                   best.evaluations));
-cleanup:
-  return status;
-}
-
-/* ---- single figures ---- */
-
-static Status bench_D12(Bench *bench) {
-  static const double limits[] = {4e-3, 4e-4, 4e-5};
-  const WorkPrecision *work = &bench->work[ELASTIC];
-  Status status;
-  TRY(text_append(bench->page, bench->error, "- Ca = 0.6 without damage, D12(t = 8) = %.5f on %d elements.",
-                  work->reference.run.state[3].D12, 20 << 2 * work->reference.knobs.subdivisions));
-  for (int k = 0; k < 3; k++) {
-    const WorkPoint *point = work_cheapest(work->point, work->n, offsetof(WorkError, D12), limits[k]);
-    if (!point)
-      TRY(text_append(bench->page, bench->error, " Within %g %%: not reached.", 100 * limits[k]));
-    else
-      TRY(text_append(
-          bench->page, bench->error, " Within %g %%: %.3f CPU s (%d elements, %s, %s %s, %lld evaluations).",
-          100 * limits[k], point->run.cpu_seconds, 20 << 2 * point->knobs.subdivisions, point->knobs.method,
-          point->knobs.integrator, point->knobs.tolerance, point->run.evaluations));
-  }
-  TRY(text_append(bench->page, bench->error, "\n"));
-cleanup:
-  return status;
-}
-
-static Status bench_stiff(Bench *bench) {
-  static const double end = 1;
-  Status status;
-  RunCost rk2 = {.sets = (const char *const[]){"membrane.damage=", "flow.capillary_number=0.01",
-                                               "time.integrator=rk2", NULL},
-                 .times = &end,
-                 .n_times = 1,
-                 .threads = THREADS};
-  RunCost rkc2 = rk2;
-  rkc2.sets = (const char *const[]){"membrane.damage=", "flow.capillary_number=0.01", NULL};
-  tell(bench, "Ca 0.01");
-  TRY(benchmark_run(&rkc2, bench->error));
-  TRY(benchmark_run(&rk2, bench->error));
-  TRY(text_append(
-      bench->page, bench->error,
-      "- Ca = 0.01 without damage to t = 1, 1280 elements: %lld evaluations with rk2 at its limit, "
-      "%lld with rkc2 (ratio %.1f), D12 = %.6f and %.6f.\n",
-      rk2.evaluations, rkc2.evaluations, (double)rk2.evaluations / (double)rkc2.evaluations, rk2.state[0].D12,
-      rkc2.state[0].D12));
-cleanup:
-  return status;
-}
-
-static Status bench_symmetry(Bench *bench, bool is_elastic) {
-  Status status;
-  static const double end = 10;
-  const char *whole_sets[8] = {0}, *sets[8] = {0};
-  size_t n = 0;
-  if (is_elastic) whole_sets[n] = sets[n] = "membrane.damage=", n++;
-  whole_sets[n] = "symmetry=off";
-  RunCost whole = {.sets = whole_sets, .times = &end, .n_times = 1, .threads = THREADS};
-  RunCost part = {.sets = sets, .times = &end, .n_times = 1, .threads = THREADS};
-  tell(bench, "a quarter against the whole");
-  TRY(benchmark_run(&whole, bench->error));
-  TRY(benchmark_run(&part, bench->error));
-  TRY(text_append(
-      bench->page, bench->error,
-      "- Ca = 0.7 %s damage to t = 10, a quarter by symmetry against the whole: the shape differs by "
-      "%.1e, d_max by %.1e; %.2f s against %.2f s.\n",
-      is_elastic ? "without" : "with", work_error(&part.state[0], &whole.state[0]).shape,
-      work_error(&part.state[0], &whole.state[0]).d_max, part.seconds, whole.seconds));
-cleanup:
-  return status;
-}
-
-static Status bench_inflation(Bench *bench) {
-  Status status;
-  static const char scene[] = "schema: 1\n"
-                              "membrane:\n"
-                              "  law: neo_hookean\n"
-                              "  damage: {law: marigo, parameters: {Y_D: 0.2, Y_C: 2.0}}\n"
-                              "flow: {kind: inflation, path: [[0, 0], [1, 0.9]]}\n"
-                              "time: {end: 1}\n"
-                              "output: {history_every: 0.005, snapshot_every: 0}\n";
-  char folder[] = "/tmp/capsella-bench-XXXXXX";
-  ProcessCost cost;
-  Text path = {0}, results = {0};
-  if (!mkdtemp(folder)) return error_set(bench->error, STATUS_IO, "%s: cannot be made", folder);
-  TRY(file_join(&path, folder, "scene.yaml", bench->error));
-  TRY(file_join(&results, folder, "results", bench->error));
-  TRY(file_write(path.data, scene, sizeof scene - 1, bench->error));
-  TRY(process_measure(
-      (const char *const[]){bench->options->program, "run", path.data, "--quiet", "-o", results.data, NULL},
-      &cost, bench->error));
-  TRY(text_append(
-      bench->page, bench->error,
-      "- `capsella run`, inflation of 1280 elements with damage, 200 samples: %.3f CPU s, %.3f s for "
-      "the whole program.\n",
-      cost.cpu_seconds, cost.seconds));
-cleanup:
-  file_remove_folder(folder);
-  text_free(&path);
-  text_free(&results);
-  return status;
-}
-
-static Status bench_list(Bench *bench) {
-  Status status;
-  ProcessCost cost;
-  TRY(process_measure((const char *const[]){bench->options->program, "laws", "list", NULL}, &cost,
-                      bench->error));
-  TRY(text_append(bench->page, bench->error, "- `capsella laws list`: %.1f ms for the whole program.\n",
-                  1e3 * cost.seconds));
-cleanup:
-  return status;
-}
-
-static Status bench_figures(Bench *bench) {
-  Status status;
-  TRY(say(bench, "Single figures"));
-  TRY(bench_D12(bench));
-  TRY(bench_stiff(bench));
-  TRY(bench_symmetry(bench, true));
-  TRY(bench_symmetry(bench, false));
-  TRY(bench_inflation(bench));
-  TRY(bench_list(bench));
 cleanup:
   return status;
 }
@@ -448,6 +185,7 @@ Status benchmark_page(const BenchmarkOptions *options, BenchmarkPage *page, Erro
                   1e-9 * bench->kernel_rate));
   TRY(run_paper(bench));
   TRY(bench_choices(bench, page));
+  TRY(bench_presets(bench));
   TRY(bench_figures(bench));
   TRY(bench_paper(bench));
   TRY(bench_evaluation(bench));

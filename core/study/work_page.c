@@ -86,7 +86,7 @@ Status work_print_meshes(const WorkPrecision *work, Text *markdown, Error *error
   TRY(text_append(markdown, error, "\n|---|"));
   for (size_t i = 0; i < any->n_times; i++) TRY(text_append(markdown, error, "---|"));
   TRY(text_append(markdown, error, "\n"));
-  for (int level = 2; level <= work->reference.knobs.subdivisions; level++) {
+  for (int level = 1; level <= work->reference.knobs.subdivisions; level++) {
     const WorkPoint *best = best_on_mesh(work, level);
     TRY(text_append(markdown, error, "| %d |", elements_of(&best->knobs)));
     for (size_t i = 0; i < any->n_times; i++)
@@ -127,6 +127,10 @@ static void add_value(Plot *plot, double x, double y) {
   plot->series[plot->n_series - 1].n++;
 }
 
+static void add_point(Plot *plot, const WorkPoint *point) {
+  add_value(plot, point->run.cpu_seconds, work_counted(point, point->error.shape));
+}
+
 /* A series that got no value is taken back. */
 static void close_series(Plot *plot) {
   if (plot->series[plot->n_series - 1].n == 0) plot->n_series--;
@@ -134,16 +138,16 @@ static void close_series(Plot *plot) {
 
 static void plot_tolerances(const WorkPrecision *work, Plot *plot) {
   static const char *const methods[] = {"fast", "direct", "reference"};
-  for (int level = 2; level < work->reference.knobs.subdivisions; level++)
+  for (int level = 1; level < work->reference.knobs.subdivisions; level++)
     for (int m = 0; m < 3; m++) {
       char label[64];
       snprintf(label, sizeof label, "%s, %d elements", methods[m], 20 << 2 * level);
-      open_series(plot, label, CHART_LINE_AND_MARKS, level - 1, m + 1);
+      open_series(plot, label, CHART_LINE_AND_MARKS, level, m + 1);
       for (int k = 0; k < work->n; k++) {
         const WorkPoint *point = &work->point[k];
         if (point->knobs.subdivisions == level && strcmp(point->knobs.method, methods[m]) == 0 &&
             strcmp(point->knobs.integrator, "rkc2") == 0)
-          add_value(plot, point->run.cpu_seconds, point->error.shape);
+          add_point(plot, point);
       }
       close_series(plot);
     }
@@ -152,8 +156,7 @@ static void plot_tolerances(const WorkPrecision *work, Plot *plot) {
 static void plot_rk2(const WorkPrecision *work, Plot *plot) {
   open_series(plot, "rk2 at its limit", CHART_MARKS, 7, 6);
   for (int k = 0; k < work->n; k++)
-    if (strcmp(work->point[k].knobs.integrator, "rk2") == 0)
-      add_value(plot, work->point[k].run.cpu_seconds, work->point[k].error.shape);
+    if (strcmp(work->point[k].knobs.integrator, "rk2") == 0) add_point(plot, &work->point[k]);
   close_series(plot);
 }
 
@@ -169,8 +172,8 @@ static void plot_front(const WorkPrecision *work, Plot *plot) {
   for (int k = 0; k < work->n; k++)
     if (work->point[k].is_on_front) front[n++] = &work->point[k];
   qsort(front, n, sizeof *front, compare_points);
-  open_series(plot, "Pareto front", CHART_DASHES, 4, 0);
-  for (size_t k = 0; k < n; k++) add_value(plot, front[k]->run.cpu_seconds, front[k]->error.shape);
+  open_series(plot, "Pareto front", CHART_DASHES, 7, 0);
+  for (size_t k = 0; k < n; k++) add_point(plot, front[k]);
   close_series(plot);
 }
 
@@ -189,7 +192,9 @@ Status work_print_picture(const WorkPrecision *work, const char *title, const Ru
   plot_front(work, &plot);
   for (int k = 0; k < N_AIMS; k++) {
     const WorkPoint *best = work_cheapest(work->point, work->n, offsetof(WorkError, shape), AIMS[k].limit);
-    if (best) aims[n_aims++] = (ChartPoint){best->run.cpu_seconds, best->error.shape, AIMS[k].label};
+    if (best)
+      aims[n_aims++] =
+          (ChartPoint){best->run.cpu_seconds, work_counted(best, best->error.shape), AIMS[k].label};
   }
   const Chart chart = {.title = title,
                        .x = {.label = "CPU seconds", .logarithmic = true},

@@ -34,7 +34,7 @@ static bool is_in_grid(const WorkKnobs *knobs, bool full) {
 static int build_grid(bool full, WorkPoint *points) {
   static const char *const methods[] = {FAST, DIRECT, REFERENCE}, *const integrators[] = {RK2, RKC2};
   int n = 0;
-  for (int level = 2; level <= (full ? 4 : 3); level++)
+  for (int level = 1; level <= (full ? 4 : 3); level++)
     for (int m = 0; m < 3; m++)
       for (int i = 0; i < 2; i++)
         for (int t = 0; t < N_TOLERANCES; t++) {
@@ -99,12 +99,16 @@ static void split_error(WorkPrecision *result, WorkPoint *point) {
   point->quadrature = work_error(summed, exact).shape;
 }
 
+double work_counted(const WorkPoint *point, double error) {
+  return fmax(fmax(error, point->space), fmax(point->quadrature, point->time));
+}
+
 void work_mark_front(WorkPoint *points, int n) {
   for (int k = 0; k < n; k++) {
     points[k].is_on_front = true;
     for (int j = 0; j < n; j++)
       if (points[j].run.cpu_seconds < points[k].run.cpu_seconds &&
-          points[j].error.shape <= points[k].error.shape)
+          work_counted(&points[j], points[j].error.shape) <= work_counted(&points[k], points[k].error.shape))
         points[k].is_on_front = false;
   }
 }
@@ -113,7 +117,9 @@ const WorkPoint *work_cheapest(const WorkPoint *points, int n, size_t offset, do
   const WorkPoint *best = NULL;
   for (int k = 0; k < n; k++) {
     const double error = *(const double *)((const char *)&points[k].error + offset);
-    if (error <= limit && (!best || points[k].run.cpu_seconds < best->run.cpu_seconds)) best = &points[k];
+    if (work_counted(&points[k], error) <= limit &&
+        (!best || points[k].run.cpu_seconds < best->run.cpu_seconds))
+      best = &points[k];
   }
   return best;
 }

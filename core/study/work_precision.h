@@ -28,7 +28,7 @@ typedef struct {
   RunCost run;
   WorkError error;                /* of the last state */
   double space, quadrature, time; /* the parts of error.shape, each found by turning one knob */
-  bool is_on_front;               /* no point is both cheaper and more accurate in shape */
+  bool is_on_front;               /* no point is both cheaper and more accurate */
 } WorkPoint;
 
 typedef struct {
@@ -51,10 +51,13 @@ typedef struct {
 Status work_precision(const WorkCase *work, bool full, int threads, void (*progress)(const char *line),
                       WorkPrecision *result, Error *error);
 
-/* Marks the points on the Pareto front of CPU seconds and error in shape. */
+/* An error as it counts: no less than the largest part, since parts that happen to cancel are no merit. */
+double work_counted(const WorkPoint *point, double error);
+
+/* Marks the points on the Pareto front of CPU seconds and counted error in shape. */
 void work_mark_front(WorkPoint *points, int n);
 
-/* The point of least CPU seconds with an error of the given kind at most `limit`; NULL: there is none.
+/* The point of least CPU seconds whose error of the given kind counts at most `limit`; NULL: there is none.
  * `offset` is offsetof(WorkError, ...). */
 const WorkPoint *work_cheapest(const WorkPoint *points, int n, size_t offset, double limit);
 

@@ -125,23 +125,21 @@ START_TEST(a_short_scene_gets_the_documented_defaults) {
 }
 END_TEST
 
-START_TEST(accuracy_sets_method_and_tolerance_unless_they_are_given) {
+START_TEST(accuracy_sets_mesh_and_tolerance_unless_they_are_given) {
   static const struct {
     const char *accuracy;
-    FluidMethod method;
+    int subdivisions;
     double tolerance;
-  } table[] = {{"accuracy=draft", FLUID_FAST, 1e-3},
-               {"accuracy=standard", FLUID_FAST, 1e-4},
-               {"accuracy=fine", FLUID_REFERENCE, 1e-5}};
+  } table[] = {{"accuracy=draft", 2, 1e-2}, {"accuracy=standard", 3, 1e-4}, {"accuracy=fine", 4, 1e-5}};
   for (int i = 0; i < 3; i++) {
     Scene s = read_good(MEMBRANE SHEAR END, table[i].accuracy);
-    ck_assert_int_eq(s.fluid_method, table[i].method);
+    ck_assert_int_eq(s.mesh.subdivisions, table[i].subdivisions);
     ck_assert(s.time.tolerance == table[i].tolerance);
     scene_free(&s);
-    s = read_good(MEMBRANE SHEAR "time: {end: 1, tolerance: 0.01}\nfluid: {method: direct}\n",
+    s = read_good(MEMBRANE SHEAR "time: {end: 1, tolerance: 0.003}\ncapsule: {mesh: {subdivisions: 5}}\n",
                   table[i].accuracy);
-    ck_assert_int_eq(s.fluid_method, FLUID_DIRECT);
-    ck_assert(s.time.tolerance == 0.01);
+    ck_assert_int_eq(s.mesh.subdivisions, 5);
+    ck_assert(s.time.tolerance == 0.003);
     scene_free(&s);
   }
 }
@@ -546,7 +544,7 @@ END_TEST
 int main(void) {
   return suite_run("scene", (SuiteTests){every_key_lands_in_the_scene,
                                          a_short_scene_gets_the_documented_defaults,
-                                         accuracy_sets_method_and_tolerance_unless_they_are_given,
+                                         accuracy_sets_mesh_and_tolerance_unless_they_are_given,
                                          gradients_of_the_named_flows_are_those_of_their_formulas,
                                          an_inflation_has_a_path_and_no_capillary_number,
                                          physical_values_are_kept_in_si_units,

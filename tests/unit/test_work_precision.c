@@ -48,6 +48,17 @@ START_TEST(the_cheapest_point_within_an_error_is_found) {
 }
 END_TEST
 
+START_TEST(parts_that_cancel_are_no_merit) {
+  WorkPoint points[] = {point(1, 1e-4, 1e-4), point(2, 1e-3, 1e-3)};
+  points[0].space = points[0].time = 5e-3;
+  ck_assert_double_eq(work_counted(&points[0], 1e-4), 5e-3);
+  ck_assert_double_eq(work_counted(&points[0], 6e-3), 6e-3);
+  ck_assert_ptr_eq(work_cheapest(points, 2, offsetof(WorkError, shape), 1e-3), &points[1]);
+  work_mark_front(points, 2);
+  ck_assert(points[0].is_on_front && points[1].is_on_front);
+}
+END_TEST
+
 START_TEST(the_largest_part_of_an_error_is_named) {
   ck_assert_str_eq(work_dominating(&(WorkPoint){.space = 3, .quadrature = 2, .time = 1}), "space");
   ck_assert_str_eq(work_dominating(&(WorkPoint){.space = 1, .quadrature = 2, .time = 1}), "quadrature");
@@ -68,9 +79,9 @@ START_TEST(the_exponent_of_a_power_law_is_found) {
 END_TEST
 
 int main(void) {
-  return suite_run("work_precision", (SuiteTests){errors_are_relative_but_for_angle_area_and_damage,
-                                                  the_front_holds_what_nothing_beats,
-                                                  the_cheapest_point_within_an_error_is_found,
-                                                  the_largest_part_of_an_error_is_named,
-                                                  the_exponent_of_a_power_law_is_found, NULL});
+  return suite_run(
+      "work_precision",
+      (SuiteTests){errors_are_relative_but_for_angle_area_and_damage, the_front_holds_what_nothing_beats,
+                   the_cheapest_point_within_an_error_is_found, parts_that_cancel_are_no_merit,
+                   the_largest_part_of_an_error_is_named, the_exponent_of_a_power_law_is_found, NULL});
 }

@@ -1,0 +1,190 @@
+/* Sections of the page of benchmarks: what `accuracy` gives, and figures of one line each. */
+#include "base/array.h"
+#include "base/file.h"
+#include "study/benchmark_private.h"
+#include "study/process.h"
+#include <math.h>
+#include <stdlib.h>
+
+/* ---- what `accuracy` gives ---- */
+
+/* Largest over all times; without D12 before it has grown. */
+static double time_and_quadrature(const RunCost *run, const RunCost *best, double *d_max) {
+  double shape = 0;
+  *d_max = 0;
+  for (size_t k = 0; k < run->n_times; k++) {
+    const WorkError error = work_error(&run->state[k], &best->state[k]);
+    shape = fmax(shape, error.shape);
+    *d_max = fmax(*d_max, error.d_max);
+  }
+  return shape;
+}
+
+static Status preset_rows(Bench *bench, const char *name, const char *capillary_number, const char *damage) {
+  static const char *const presets[] = {"accuracy=draft", "accuracy=standard", "accuracy=fine"};
+  static const double times[] = {1, 2, 4};
+  const char *mesh = bench->options->full ? "capsule.mesh.subdivisions=3" : "capsule.mesh.subdivisions=2";
+  Status status;
+  RunCost best = {.sets = (const char *const[]){mesh, capillary_number, "fluid.method=reference",
+                                                "time.tolerance=1e-7", damage, NULL},
+                  .times = times,
+                  .n_times = 3,
+                  .threads = BENCHMARK_THREADS};
+  bench_tell(bench, name);
+  TRY(benchmark_run(&best, bench->error));
+  for (int k = 0; k < 3; k++) {
+    double d_max;
+    RunCost run = best;
+    run.sets = (const char *const[]){mesh, capillary_number, presets[k], damage, NULL};
+    TRY(benchmark_run(&run, bench->error));
+    const double shape = time_and_quadrature(&run, &best, &d_max);
+    TRY(text_append(bench->page, bench->error, "| %s | `%s` | %.1e | %.1e | %lld | %.3f | %.3f |\n", name,
+                    presets[k] + sizeof "accuracy", shape, d_max, run.evaluations, run.cpu_seconds,
+                    run.seconds));
+  }
+cleanup:
+  return status;
+}
+
+Status bench_presets(Bench *bench) {
+  Status status;
+  TRY(bench_say(bench, "What `accuracy` gives"));
+  TRY(text_append(
+      bench->page, bench->error,
+      "Errors of time and quadrature together, on %d elements to t = 4: largest difference at t = 1, 2, 4 to "
+      "`reference` with rkc2 at 1e-7 on the same mesh. The aims are 1 %%, 0.1 %% and 0.01 %% of the shape; "
+      "the "
+      "error of the mesh comes on top, and the tables above tell which mesh suits.\n\n"
+      "| scene | `accuracy` | error of the shape | of d_max | evaluations | CPU s | seconds "
+      "|\n|---|---|---|---|---|---|---|\n",
+      bench->options->full ? 1280 : 320));
+  TRY(preset_rows(bench, "Ca 0.3", "flow.capillary_number=0.3", "membrane.damage="));
+  TRY(preset_rows(bench, "Ca 0.6", "flow.capillary_number=0.6", "membrane.damage="));
+  TRY(preset_rows(bench, "Ca 0.7, damage", "flow.capillary_number=0.7", NULL));
+  TRY(preset_rows(bench, "Ca 0.8, damage, before rupture", "flow.capillary_number=0.8", NULL));
+cleanup:
+  return status;
+}
+
+/* ---- single figures ---- */
+
+static Status bench_D12(Bench *bench) {
+  static const double limits[] = {4e-3, 4e-4, 4e-5};
+  const WorkPrecision *work = &bench->work[ELASTIC];
+  Status status;
+  TRY(text_append(bench->page, bench->error, "- Ca = 0.6 without damage, D12(t = 8) = %.5f on %d elements.",
+                  work->reference.run.state[3].D12, 20 << 2 * work->reference.knobs.subdivisions));
+  for (int k = 0; k < 3; k++) {
+    const WorkPoint *point = work_cheapest(work->point, work->n, offsetof(WorkError, D12), limits[k]);
+    if (!point)
+      TRY(text_append(bench->page, bench->error, " Within %g %%: not reached.", 100 * limits[k]));
+    else
+      TRY(text_append(
+          bench->page, bench->error, " Within %g %%: %.3f CPU s (%d elements, %s, %s %s, %lld evaluations).",
+          100 * limits[k], point->run.cpu_seconds, 20 << 2 * point->knobs.subdivisions, point->knobs.method,
+          point->knobs.integrator, point->knobs.tolerance, point->run.evaluations));
+  }
+  TRY(text_append(bench->page, bench->error, "\n"));
+cleanup:
+  return status;
+}
+
+static Status bench_stiff(Bench *bench) {
+  static const double end = 1;
+  Status status;
+  RunCost rk2 = {.sets = (const char *const[]){"membrane.damage=", "flow.capillary_number=0.01",
+                                               "time.integrator=rk2", NULL},
+                 .times = &end,
+                 .n_times = 1,
+                 .threads = BENCHMARK_THREADS};
+  RunCost rkc2 = rk2;
+  rkc2.sets = (const char *const[]){"membrane.damage=", "flow.capillary_number=0.01", NULL};
+  bench_tell(bench, "Ca 0.01");
+  TRY(benchmark_run(&rkc2, bench->error));
+  TRY(benchmark_run(&rk2, bench->error));
+  TRY(text_append(
+      bench->page, bench->error,
+      "- Ca = 0.01 without damage to t = 1, 1280 elements: %lld evaluations with rk2 at its limit, "
+      "%lld with rkc2 (ratio %.1f), D12 = %.6f and %.6f.\n",
+      rk2.evaluations, rkc2.evaluations, (double)rk2.evaluations / (double)rkc2.evaluations, rk2.state[0].D12,
+      rkc2.state[0].D12));
+cleanup:
+  return status;
+}
+
+static Status bench_symmetry(Bench *bench, bool is_elastic) {
+  Status status;
+  static const double end = 10;
+  const char *whole_sets[8] = {0}, *sets[8] = {0};
+  size_t n = 0;
+  if (is_elastic) whole_sets[n] = sets[n] = "membrane.damage=", n++;
+  whole_sets[n] = "symmetry=off";
+  RunCost whole = {.sets = whole_sets, .times = &end, .n_times = 1, .threads = BENCHMARK_THREADS};
+  RunCost part = {.sets = sets, .times = &end, .n_times = 1, .threads = BENCHMARK_THREADS};
+  bench_tell(bench, "a quarter against the whole");
+  TRY(benchmark_run(&whole, bench->error));
+  TRY(benchmark_run(&part, bench->error));
+  TRY(text_append(
+      bench->page, bench->error,
+      "- Ca = 0.7 %s damage to t = 10, a quarter by symmetry against the whole: the shape differs by "
+      "%.1e, d_max by %.1e; %.2f s against %.2f s.\n",
+      is_elastic ? "without" : "with", work_error(&part.state[0], &whole.state[0]).shape,
+      work_error(&part.state[0], &whole.state[0]).d_max, part.seconds, whole.seconds));
+cleanup:
+  return status;
+}
+
+static Status bench_inflation(Bench *bench) {
+  Status status;
+  static const char scene[] = "schema: 1\n"
+                              "membrane:\n"
+                              "  law: neo_hookean\n"
+                              "  damage: {law: marigo, parameters: {Y_D: 0.2, Y_C: 2.0}}\n"
+                              "flow: {kind: inflation, path: [[0, 0], [1, 0.9]]}\n"
+                              "time: {end: 1}\n"
+                              "output: {history_every: 0.005, snapshot_every: 0}\n";
+  char folder[] = "/tmp/capsella-bench-XXXXXX";
+  ProcessCost cost;
+  Text path = {0}, results = {0};
+  if (!mkdtemp(folder)) return error_set(bench->error, STATUS_IO, "%s: cannot be made", folder);
+  TRY(file_join(&path, folder, "scene.yaml", bench->error));
+  TRY(file_join(&results, folder, "results", bench->error));
+  TRY(file_write(path.data, scene, sizeof scene - 1, bench->error));
+  TRY(process_measure(
+      (const char *const[]){bench->options->program, "run", path.data, "--quiet", "-o", results.data, NULL},
+      &cost, bench->error));
+  TRY(text_append(
+      bench->page, bench->error,
+      "- `capsella run`, inflation of 1280 elements with damage, 200 samples: %.3f CPU s, %.3f s for "
+      "the whole program.\n",
+      cost.cpu_seconds, cost.seconds));
+cleanup:
+  file_remove_folder(folder);
+  text_free(&path);
+  text_free(&results);
+  return status;
+}
+
+static Status bench_list(Bench *bench) {
+  Status status;
+  ProcessCost cost;
+  TRY(process_measure((const char *const[]){bench->options->program, "laws", "list", NULL}, &cost,
+                      bench->error));
+  TRY(text_append(bench->page, bench->error, "- `capsella laws list`: %.1f ms for the whole program.\n",
+                  1e3 * cost.seconds));
+cleanup:
+  return status;
+}
+
+Status bench_figures(Bench *bench) {
+  Status status;
+  TRY(bench_say(bench, "Single figures"));
+  TRY(bench_D12(bench));
+  TRY(bench_stiff(bench));
+  TRY(bench_symmetry(bench, true));
+  TRY(bench_symmetry(bench, false));
+  TRY(bench_inflation(bench));
+  TRY(bench_list(bench));
+cleanup:
+  return status;
+}

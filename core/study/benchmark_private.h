@@ -1,0 +1,35 @@
+/* What the files that write the page of benchmarks share. */
+#ifndef CAPSELLA_STUDY_BENCHMARK_PRIVATE_H
+#define CAPSELLA_STUDY_BENCHMARK_PRIVATE_H
+
+#include "study/benchmark.h"
+#include "study/benchmark_page.h"
+#include "study/work_precision.h"
+
+enum { ELASTIC, DAMAGE, N_CASES = BENCHMARK_PICTURES };
+enum { BENCHMARK_THREADS = 2 };
+
+typedef struct {
+  const BenchmarkOptions *options;
+  Text *page;
+  Error *error;
+  double kernel_rate;
+  WorkPrecision work[N_CASES];
+  RunCost paper; /* the paper's algorithm on the case with damage */
+} Bench;
+
+/* Names what is measured next to who waits for it. */
+void bench_tell(const Bench *bench, const char *line);
+/* The same, as the title of a section. */
+Status bench_say(Bench *bench, const char *what);
+
+/* Sections, in benchmark_costs.c: */
+Status bench_evaluation(Bench *bench);
+Status bench_growth(Bench *bench);
+Status bench_law(Bench *bench);
+Status bench_layer(Bench *bench);
+/* and in benchmark_figures.c: */
+Status bench_presets(Bench *bench);
+Status bench_figures(Bench *bench);
+
+#endif
