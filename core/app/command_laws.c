@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
-static const char USAGE[] = "usage: capsella laws [list | show ID | check FILE.so | new DIR]\n";
+static const char USAGE[] = "usage: capsella laws [list | show ID | plot ID | check FILE.so | new DIR]\n";
 
 static const char HELP[] =
     "\n"
@@ -15,6 +15,7 @@ static const char HELP[] =
     "  show ID [--markdown]   one law: equations, parameters with units and ranges, moduli, channels, "
     "source;\n"
     "                         ID may be the path of a plugin, FILE.so or FILE.so#ID\n"
+    "  plot ID [-o FILE.svg] [--set PARAMETER=VALUE]   tensions or damage against stretch, as a chart\n"
     "  check FILE.so [--only REGEX] [--json]   does a plugin keep the rules, and are its laws sound?\n"
     "  new DIR --kind KIND [--cxx] [--name ID]   a folder with a law that builds, to be changed into yours\n"
     "\n"
@@ -142,9 +143,11 @@ int command_laws(int argc, char **argv) {
   if (strcmp(what, "list") == 0 && argc <= 2) return list(false);
   if (strcmp(what, "list") == 0 && argc == 3 && strcmp(argv[2], "--markdown") == 0) return list(true);
   if (strcmp(what, "show") == 0 && argc >= 3) return command_laws_show(argc - 1, argv + 1);
+  if (strcmp(what, "plot") == 0) return command_laws_plot(argc - 1, argv + 1);
   if (strcmp(what, "check") == 0) return command_laws_check(argc - 1, argv + 1);
   if (strcmp(what, "new") == 0) return command_laws_new(argc - 1, argv + 1);
-  fprintf(stderr, "capsella laws: expected list, show ID, new DIR or check FILE.so, found '%s%s%s'\n%s", what,
-          argc > 2 ? " " : "", argc > 2 ? argv[2] : "", USAGE);
+  fprintf(stderr,
+          "capsella laws: expected list, show ID, plot ID, new DIR or check FILE.so, found '%s%s%s'\n%s",
+          what, argc > 2 ? " " : "", argc > 2 ? argv[2] : "", USAGE);
   return EXIT_INPUT;
 }

@@ -11,6 +11,7 @@ int command_laws(int argc, char **argv);
 int command_laws_check(int argc, char **argv); /* of command_laws: argv[0] = "check" */
 int command_laws_show(int argc, char **argv);  /* the same with "show" */
 int command_laws_new(int argc, char **argv);   /* the same with "new" */
+int command_laws_plot(int argc, char **argv);  /* the same with "plot" */
 int command_study(int argc, char **argv);
 int command_report(int argc, char **argv);
 int command_bench(int argc, char **argv);

@@ -17,6 +17,7 @@ ends ruptured inflation_cycles
 ends end shear_quick --set time.end=0.3
 ends end shear_reference --set time.end=0.02
 ends end shear_skalak --set time.end=0.02
+ends end shear_scatter --set time.end=0.02
 
 # Nothing is left out: a scene that the list above forgets is a failure.
 for scene in "$root"/configs/*.yaml; do

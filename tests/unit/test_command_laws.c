@@ -6,7 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-static char output[16384]; /* of the last call, errors included */
+static char output[65536]; /* of the last call, errors included */
 
 /* Runs `capsella laws ARGUMENTS`; returns the exit code. */
 static int laws(const char *arguments) {
@@ -129,6 +129,31 @@ START_TEST(check_of_nothing_is_an_input_error) {
 }
 END_TEST
 
+START_TEST(plot_draws_the_curves_of_either_kind) {
+  ck_assert_int_eq(laws("plot skalak --set C=2 -o tests/skalak.svg && cat tests/skalak.svg"), 0);
+  expect_output("tests/skalak.svg\n");
+  expect_output("<svg");
+  expect_output("skalak: G_s = 1, C = 2");
+  expect_output("equibiaxial");
+  ck_assert_int_eq(laws("plot marigo --set Y_D=0.2 --set Y_C=2 -o tests/marigo.svg && cat tests/marigo.svg"),
+                   0);
+  expect_output("threshold");
+  expect_output("drive Y");
+}
+END_TEST
+
+START_TEST(plot_names_what_it_cannot_use) {
+  ck_assert_int_eq(laws("plot"), 2);
+  expect_output("usage: capsella laws plot");
+  ck_assert_int_eq(laws("plot marigo"), 2);
+  expect_output("expected the parameter Y_D");
+  ck_assert_int_eq(laws("plot skalak --set C=-7"), 2);
+  expect_output("--set: parameter C of law skalak: expected more than -0.5, found -7");
+  ck_assert_int_eq(laws("plot skalak --set C"), 2);
+  expect_output("expected PARAMETER=VALUE");
+}
+END_TEST
+
 START_TEST(new_names_what_it_cannot_use_and_writes_nothing) {
   ck_assert_int_eq(laws("new"), 2);
   expect_output("expected a folder");
@@ -157,6 +182,7 @@ int main(void) {
                                 a_law_that_is_not_there_is_an_input_error_with_the_nearest_name,
                                 a_wrong_call_is_an_input_error_with_the_usage,
                                 check_prints_each_test_and_ends_with_1_when_one_fails,
-                                check_of_nothing_is_an_input_error,
+                                check_of_nothing_is_an_input_error, plot_draws_the_curves_of_either_kind,
+                                plot_names_what_it_cannot_use,
                                 new_names_what_it_cannot_use_and_writes_nothing, NULL});
 }
