@@ -1,17 +1,21 @@
 /* capsella laws check: the conformance suite on one plugin, as text or as JSON. */
 #include "app/commands.h"
 #include "laws/conformance.h"
+#include "laws/replay.h"
 #include "observe/json.h"
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 
-static const char USAGE[] = "usage: capsella laws check FILE.so [--only REGEX] [--json]\n";
+static const char USAGE[] = "usage: capsella laws check FILE.so [--only REGEX] [--json] [--in-process]\n"
+                            "       capsella laws check --replay FILE\n";
 
 static const char HELP[] =
     "\n"
     "  --only REGEX   only tests whose group/name matches, as in --only energy/ or --only 'hole|overrun'\n"
     "  --json         one JSON object: file, results, counts\n"
+    "  --in-process   no process of its own for a test, for a debugger: a crash ends the check\n"
+    "  --replay FILE  evaluates again the points on which a law failed in a run, from its law_failure.yaml\n"
     "\n"
     "Each test runs in a process of its own for 10 s at most.\n"
     "Exit code: 0 every test passed (or did not apply), 1 some did not, 2 the call is wrong.\n";
@@ -74,6 +78,18 @@ static int fail(const Error *error) {
   return exit_code(error->code);
 }
 
+/* Exit code 1: the law still fails. */
+static int replay(const char *file) {
+  Text report = {0};
+  Error error;
+  bool is_bad = false;
+  const Status status = law_replay(file, &report, &is_bad, &error);
+  if (status == STATUS_OK) fputs(report.data, stdout);
+  text_free(&report);
+  if (status != STATUS_OK) return fail(&error);
+  return is_bad ? EXIT_FAILED : EXIT_DONE;
+}
+
 /* Fills in the options; -1 to go on, an exit code otherwise. */
 static int parse(int argc, char **argv, ConformanceOptions *options, bool *json) {
   for (int i = 1; i < argc; i++) {
@@ -84,6 +100,8 @@ static int parse(int argc, char **argv, ConformanceOptions *options, bool *json)
     }
     if (strcmp(argv[i], "--json") == 0) {
       *json = true;
+    } else if (strcmp(argv[i], "--in-process") == 0) {
+      options->in_process = true;
     } else if (strcmp(argv[i], "--only") == 0) {
       if (++i == argc) return refuse("expected a regular expression after --only", NULL);
       options->only = argv[i];
@@ -101,6 +119,7 @@ int command_laws_check(int argc, char **argv) {
   ConformanceReport report;
   Error error;
   bool json = false;
+  if (argc == 3 && strcmp(argv[1], "--replay") == 0) return replay(argv[2]);
   const int code = parse(argc, argv, &options, &json);
   if (code >= 0) return code;
   Status status = conformance_run(&options, &report, &error);

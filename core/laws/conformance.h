@@ -29,6 +29,7 @@ typedef struct {
   const char *file;  /* path of the shared object */
   const char *only;  /* POSIX extended regular expression on "group/name"; NULL: all tests */
   double time_limit; /* seconds for each test */
+  bool in_process;   /* no process of its own and no time limit: for a debugger */
 } ConformanceOptions;
 
 typedef struct {

@@ -100,9 +100,25 @@ static Status check_strain(const ElasticBatch *batch, ptrdiff_t *point, Error *e
                    batch->I1[i], batch->I2[i], i);
 }
 
+/* Appends rows [n_rows][ld] to a call. */
+static void add_rows(LawCall *call, const double *rows, uint32_t n_rows, ptrdiff_t ld) {
+  for (uint32_t k = 0; k < n_rows; k++, call->n_rows++)
+    if (call->n_rows < FAILURE_ROWS) call->row[call->n_rows] = rows + (ptrdiff_t)k * ld;
+}
+
+static void keep_elastic_failure(const Material *material, const ElasticBatch *batch, const mlaw_field *param,
+                                 const char *message) {
+  LawCall call = {.n = batch->n, .t = batch->t, .dt = batch->dt, .param = param};
+  add_rows(&call, batch->I1, 1, batch->ld);
+  add_rows(&call, batch->I2, 1, batch->ld);
+  add_rows(&call, batch->state0, material->elastic.energy->n_vars, batch->ld);
+  law_failure_keep(batch->failure, &material->elastic, &call, message);
+}
+
 Status material_elastic(const Material *material, const ElasticBatch *batch, ptrdiff_t *point, Error *error) {
   const mlaw_energy *law = material->elastic.energy;
   const ptrdiff_t n = batch->n, ld = batch->ld;
+  bool asked = false;
   mlaw_error err = {.point = -1};
   BatchFields shifted;
   const mlaw_energy_args arguments = {
@@ -123,12 +139,15 @@ Status material_elastic(const Material *material, const ElasticBatch *batch, ptr
   Status status;
   if (point) *point = -1;
   TRY(check_strain(batch, point, error));
+  asked = true;
   TRY(law_says(law->id, law->eval(&arguments), &err, n, point, error));
   TRY(check_finite(law->id, "phi", batch->phi, 1, n, ld, point, error));
   TRY(check_finite(law->id, "dphi", batch->dphi, 2, n, ld, point, error));
   TRY(check_finite(law->id, "d2phi", batch->d2phi, 3, n, ld, point, error));
   TRY(check_finite(law->id, "state1", batch->state1, law->n_vars, n, ld, point, error));
 cleanup:
+  if (status != STATUS_OK && asked && batch->failure)
+    keep_elastic_failure(material, batch, arguments.param, error->text);
   return status;
 }
 
@@ -227,6 +246,24 @@ cleanup:
   return status;
 }
 
+/* The rows of a damage law: Y and d, or the channels that it reads at both ends of the step, d and state. */
+static void keep_damage_failure(const Material *material, const DamageBatch *batch, const char *message) {
+  const mlaw_damage *law = material->damage.damage;
+  BatchFields shifted;
+  LawCall call = {.n = batch->n, .t = batch->t, .dt = batch->dt};
+  call.param = fields_from(&material->damage_values, material->damage_field, batch->first, &shifted);
+  if (law->evolution) {
+    add_rows(&call, batch->Ymax1, 1, batch->ld);
+  } else {
+    for (int end = 0; end < 2; end++)
+      for (int c = 0; c < MLAW_N_CHANNELS; c++)
+        if (law->needs & 1u << c) add_rows(&call, end ? batch->chan[c] : batch->chan0[c], 1, batch->ld);
+  }
+  add_rows(&call, batch->d0, 1, batch->ld);
+  add_rows(&call, batch->state0, law->n_vars, batch->ld);
+  law_failure_keep(batch->failure, &material->damage, &call, message);
+}
+
 Status material_damage(const Material *material, const DamageBatch *batch, ptrdiff_t *point, Error *error) {
   const mlaw_damage *law = material->damage.damage;
   Status status;
@@ -237,7 +274,9 @@ Status material_damage(const Material *material, const DamageBatch *batch, ptrdi
     return STATUS_OK;
   }
   TRY(check_finite("of the membrane", "Y", batch->chan[MLAW_Y], 1, batch->n, batch->ld, point, error));
-  TRY(law->evolution ? evolve(material, batch, point, error) : step(material, batch, point, error));
+  status = law->evolution ? evolve(material, batch, point, error) : step(material, batch, point, error);
+  if (status != STATUS_OK && batch->failure) keep_damage_failure(material, batch, error->text);
+  TRY(status);
   confine(batch->n, material->d_max, batch->d0, batch->d1);
 cleanup:
   return status;

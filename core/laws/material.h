@@ -9,6 +9,7 @@
 #include "base/log.h"
 #include "base/status.h"
 #include "config/scene.h"
+#include "laws/failure.h"
 #include "laws/loader.h"
 #include "laws/parameters.h"
 #include <stdbool.h>
@@ -45,7 +46,8 @@ void material_keep_elements(Material *material, const int *kept, int n);
  * parameter varies).  I1, I2 [n] in; phi [n], dphi [2][ld] and d2phi [3][ld] out
  * (each may be NULL; d2phi is for laws with MLAW_HESSIAN only). state0/state1 [n_vars][ld], NULL when the law
  * has no variables.  STATUS_REJECT when the law refuses a point or returns a value that is not finite;
- * STATUS_FAILED when it says stop.  `point` (may be NULL) receives the failing one. */
+ * STATUS_FAILED when it says stop.  `point` (may be NULL) receives the failing one, `failure` (may be NULL)
+ * the batch when it is the law that fails. */
 typedef struct {
   ptrdiff_t n, ld, first;
   double t, dt;
@@ -53,6 +55,7 @@ typedef struct {
   const double *state0;
   double *state1;
   double *phi, *dphi, *d2phi;
+  LawFailure *failure;
 } ElasticBatch;
 Status material_elastic(const Material *material, const ElasticBatch *batch, ptrdiff_t *point, Error *error);
 
@@ -67,6 +70,7 @@ typedef struct {
   const double *chan[MLAW_N_CHANNELS];  /* now */
   const double *Ymax0, *d0, *state0;    /* accepted */
   double *Ymax1, *d1, *state1;          /* trial, written in full */
+  LawFailure *failure;                  /* as above */
 } DamageBatch;
 Status material_damage(const Material *material, const DamageBatch *batch, ptrdiff_t *point, Error *error);
 

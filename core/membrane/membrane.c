@@ -182,6 +182,7 @@ void membrane_free(Membrane *m) {
   history_free(&m->trial);
   assembly_free(&m->assembly);
   mass_free(&m->mass);
+  law_failure_free(&m->failure);
   symmetry_free(&m->own_symmetry);
   array_free(m);
 }
@@ -201,6 +202,7 @@ typedef struct {
   int first, n;
   double t, dt;
   Stage stage;
+  LawFailure *failure; /* NULL: not to be kept */
 } BlockTask;
 
 static void gather_nodes(const Membrane *m, BlockTask task, const double *x, ElementBlock *block) {
@@ -245,6 +247,7 @@ static Status call_elastic_law(const Membrane *m, BlockTask task, int g, Error *
       .state1 = new->elastic_state ? new->elastic_state + k : NULL,
       .phi = m->phi + k,
       .dphi = m->dphi + k,
+      .failure = task.failure,
   };
   const Status status = material_elastic(m->material, &batch, &failing, error);
   if (status != STATUS_OK && failing >= 0)
@@ -268,6 +271,7 @@ static Status call_damage_law(const Membrane *m, BlockTask task, int g, Error *e
       .Ymax1 = new->Ymax + k,
       .d1 = new->d + k,
       .state1 = new->damage_state ? new->damage_state + k : NULL,
+      .failure = task.failure,
   };
   if (m->channels >> MLAW_L1 && !m->is_nonlocal)
     principal_values(task.n, m->I1 + k, m->I2 + k, m->dphi + k, m->dphi + m->n_points + k,
@@ -324,10 +328,18 @@ cleanup:
   return status;
 }
 
+/* Evaluates a block that failed once more, to keep what the law was handed. */
+static void keep_failure(Membrane *m, BlockTask task, const double *x) {
+  Error known;
+  task.failure = &m->failure;
+  evaluate_block(m, task, x, &known);
+}
+
 static Status evaluate_blocks(Membrane *m, const double *x, double t, double dt, Stage stage, Error *error) {
   const int n_blocks = (m->n_elements + LANES - 1) / LANES;
   Status status = STATUS_OK;
   int failed_block = n_blocks; /* the first failing block speaks, whatever the order of the threads */
+  law_failure_free(&m->failure);
 #pragma omp parallel for schedule(static) if (n_blocks >= PARALLEL_BLOCKS)
   for (int b = 0; b < n_blocks; b++) {
     const BlockTask task = {
@@ -342,6 +354,11 @@ static Status evaluate_blocks(Membrane *m, const double *x, double t, double dt,
         *error = block_error;
       }
     }
+  }
+  if (status != STATUS_OK) {
+    const int first = failed_block * LANES;
+    const BlockTask task = {.first = first, .n = block_size(m, first), .t = t, .dt = dt, .stage = stage};
+    keep_failure(m, task, x);
   }
   return status;
 }

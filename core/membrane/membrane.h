@@ -38,6 +38,9 @@ void membrane_free(Membrane *membrane);
  * finite. */
 Status membrane_force(Membrane *membrane, const double *x, double t, double dt, double *R, Error *error);
 
+/* The batch on which a law failed in the last membrane_force; n is 0 when it did not. */
+const LawFailure *membrane_law_failure(const Membrane *membrane);
+
 /* M q = R on the surface at the positions of the last membrane_force (paper eq. 3.4a).  q [n_nodes][3] holds
  * the start of the iteration on entry. */
 Status membrane_load(Membrane *membrane, const double *R, double *q, Error *error);

@@ -19,6 +19,10 @@ const MembraneHistory *membrane_trial(const Membrane *m) {
   return &m->trial;
 }
 
+const LawFailure *membrane_law_failure(const Membrane *m) {
+  return &m->failure;
+}
+
 MembranePoints membrane_points_view(const Membrane *m) {
   return (MembranePoints){.phi = m->phi, .J = m->J, .dS0 = m->weight, .d = m->has_damage ? m->trial.d : NULL};
 }

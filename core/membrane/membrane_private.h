@@ -38,6 +38,7 @@ struct Membrane {
   SurfaceAverage average; /* non-local only */
   Assembly assembly;
   MassSystem mass;
+  LawFailure failure; /* of the last evaluation */
 };
 
 #endif

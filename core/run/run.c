@@ -11,6 +11,7 @@
 #include "run/simulation.h"
 #include <math.h>
 #include <omp.h>
+#include <stdio.h>
 #include <string.h>
 
 /* A run is steady when its rates have stayed below stop.steady for this long. */
@@ -260,6 +261,27 @@ cleanup:
   return status;
 }
 
+static const char FAILURE_FILE[] = "law_failure.yaml";
+
+/* When it was a law that failed, what it was handed goes into a file of the folder, which the message names.
+ */
+static void keep_law_failure(const Run *run, Error *error) {
+  const Membrane *membrane = run->simulation.membrane;
+  Text path = {0}, yaml = {0};
+  Error ignored;
+  const bool is_kept = membrane && membrane_law_failure(membrane)->n > 0 &&
+                       law_failure_print(membrane_law_failure(membrane), &yaml, &ignored) == STATUS_OK &&
+                       file_join(&path, run->output.folder, FAILURE_FILE, &ignored) == STATUS_OK &&
+                       file_write(path.data, yaml.data, yaml.length, &ignored) == STATUS_OK;
+  if (is_kept) {
+    const size_t length = strlen(error->text);
+    snprintf(error->text + length, sizeof error->text - length,
+             "\nwhat the law was handed: capsella laws check --replay %s", path.data);
+  }
+  text_free(&path);
+  text_free(&yaml);
+}
+
 /* The trial state of a step that failed is gone: go back to the accepted one, and conclude there. */
 static void conclude_failed(Run *run) {
   Error ignored;
@@ -306,13 +328,20 @@ Status run_scene(const RunOptions *options, Outcome *outcome, Text *folder, Erro
   log_parts(&run);
   TRY(output_open(&run.output, folder->data, &run.simulation, error));
   progress_start(&run.progress, options->progress, options->quiet, 0, run.scene.time.end);
-  TRY(start(&run, error));
+  status = start(&run, error);
+  if (status != STATUS_OK) {
+    keep_law_failure(&run, error);
+    goto cleanup;
+  }
   progress_start(&run.progress, options->progress, options->quiet, run.simulation.motion->t,
                  run.scene.time.end);
   finish_what_is_over(&run);
   while (status == STATUS_OK && !run.done) status = advance(&run, error);
   if (status == STATUS_OK) status = conclude(&run, error);
-  if (status != STATUS_OK) conclude_failed(&run);
+  if (status != STATUS_OK) {
+    keep_law_failure(&run, error);
+    conclude_failed(&run);
+  }
   if (run.scene.output.report) write_page(&run);
 cleanup:
   if (status != STATUS_OK) log_note(&run.log, "%s", error->text);

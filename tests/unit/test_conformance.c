@@ -10,7 +10,7 @@
 static ConformanceReport check_file(const char *file, const char *only, double time_limit) {
   ConformanceReport report;
   Error error;
-  const ConformanceOptions options = {file, only, time_limit};
+  const ConformanceOptions options = {.file = file, .only = only, .time_limit = time_limit};
   const Status status = conformance_run(&options, &report, &error);
   ck_assert_msg(status == STATUS_OK, "%s", status == STATUS_OK ? "" : error.text);
   return report;
@@ -135,10 +135,10 @@ END_TEST
 START_TEST(a_wrong_call_is_an_input_error) {
   ConformanceReport report;
   Error error;
-  ConformanceOptions options = {PLUGINS "/nothing.so", NULL, 1.0};
+  ConformanceOptions options = {.file = PLUGINS "/nothing.so", .time_limit = 1.0};
   ck_assert_int_eq(conformance_run(&options, &report, &error), STATUS_INPUT);
   ck_assert_ptr_nonnull(strstr(error.text, "nothing.so: not a file that can be read"));
-  options = (ConformanceOptions){PLUGINS "/skalak.so", "no-such-test", 1.0};
+  options = (ConformanceOptions){.file = PLUGINS "/skalak.so", .only = "no-such-test", .time_limit = 1.0};
   ck_assert_int_eq(conformance_run(&options, &report, &error), STATUS_INPUT);
   ck_assert_ptr_nonnull(strstr(error.text, "no test is named like `no-such-test`"));
   options.only = "(";
