@@ -15,6 +15,7 @@ static const char HELP[] =
     "  show ID [--markdown]   one law: equations, parameters with units and ranges, moduli, channels, "
     "source;\n"
     "                         ID may be the path of a plugin, FILE.so or FILE.so#ID\n"
+    "  show ID --timing       the same, and nanoseconds per point\n"
     "  plot ID [-o FILE.svg] [--set PARAMETER=VALUE]   tensions or damage against stretch, as a chart\n"
     "  check FILE.so [--only REGEX] [--json]   does a plugin keep the rules, and are its laws sound?\n"
     "  new DIR --kind KIND [--cxx] [--name ID]   a folder with a law that builds, to be changed into yours\n"

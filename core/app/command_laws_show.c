@@ -2,6 +2,7 @@
 #include "app/commands.h"
 #include "base/text.h"
 #include "laws/material.h"
+#include "study/law_timing.h"
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -162,6 +163,19 @@ static void print_markdown(const LoadedLaw *law, const LawSearch *search) {
   print_markdown_tables(&table);
 }
 
+/* ---- Cost ---- */
+
+static Status print_timing(const LoadedLaw *law, Error *error) {
+  LawTiming timing;
+  const Status status = law_timing(law, &timing, error);
+  if (status != STATUS_OK) return status;
+  printf("cost       ");
+  for (int k = 0; k < LAW_BATCHES; k++)
+    printf("%s%.1f ns per point in batches of %d", k ? ", " : "", timing.nanoseconds[k], law_batch_points[k]);
+  printf("\n");
+  return status;
+}
+
 static int fail(const Error *error) {
   fprintf(stderr, "capsella laws: %s\n", error->text);
   return exit_code(error->code);
@@ -173,14 +187,16 @@ int command_laws_show(int argc, char **argv) {
   LawSearch search = {0};
   LoadedLaw law = {0};
   const bool markdown = argc == 3 && strcmp(argv[2], "--markdown") == 0;
+  const bool timing = argc == 3 && strcmp(argv[2], "--timing") == 0;
   const bool help = argc == 2 && (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0);
-  if (help || (argc != 2 && !markdown)) {
-    fputs("usage: capsella laws show ID [--markdown]\n", help ? stdout : stderr);
+  if (help || (argc != 2 && !markdown && !timing)) {
+    fputs("usage: capsella laws show ID [--markdown | --timing]\n", help ? stdout : stderr);
     return help ? EXIT_DONE : EXIT_INPUT;
   }
   TRY(law_search_default(&search, ".", &error)); /* a path is meant from where the user is */
   TRY(law_load(&law, LAW_ANY, argv[1], &search, &error));
   (markdown ? print_markdown : print_text)(&law, &search);
+  if (timing) TRY(print_timing(&law, &error));
 cleanup:
   law_release(&law);
   law_search_free(&search);
