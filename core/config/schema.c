@@ -140,7 +140,7 @@ const SchemaRow SCHEMA[] = {
      .meaning = "Time step: `auto` follows the error and the stability limit, a number is a fixed step, "
                 "which is refused beyond the stability limit."},
     {.key = "time.tolerance", .type = TYPE_NUMBER, AT(time.tolerance), WITHIN(1e-12, 0.1),
-     .preset = {"1e-2", "1e-4", "1e-5"},
+     .preset = {"1e-3", "1e-4", "1e-5"},
      .meaning = "Error allowed for automatic steps."},
     {.key = "time.allow_unstable", .type = TYPE_BOOLEAN, AT(time.allow_unstable), .fallback = "false",
      .meaning = "Run a fixed step even beyond the stability limit."},
@@ -159,8 +159,8 @@ const SchemaRow SCHEMA[] = {
                 "it is then that of the law."},
 
     {.key = "accuracy", .type = TYPE_CHOICE, AT(accuracy), .choices = SCHEMA_ACCURACY, .fallback = "standard",
-     .meaning = "Sets the defaults of mesh and tolerance together, for errors of the shape of about 1 %, 0.1 % and "
-                "0.01 % (table below, measured in docs/benchmarks.md)."},
+     .meaning = "Sets the defaults of mesh and tolerance together: errors of the shape below 1 %, 0.1 % and 0.01 % "
+                "where the membrane is tense and sound (table below; measured in docs/benchmarks.md)."},
     {.key = "symmetry", .type = TYPE_CHOICE, AT(symmetry), .choices = SYMMETRIES, .fallback = "auto",
      .meaning = "Whether a scene with planes of symmetry is computed on a part of the capsule only."},
 

@@ -6,6 +6,14 @@
 #include <math.h>
 #include <stdlib.h>
 
+/* The mesh of the single figures. */
+static const char *usual_mesh(const Bench *bench) {
+  return bench->options->full ? "capsule.mesh.subdivisions=3" : "capsule.mesh.subdivisions=2";
+}
+static int usual_elements(const Bench *bench) {
+  return bench->options->full ? 1280 : 320;
+}
+
 /* ---- what `accuracy` gives ---- */
 
 /* Largest over all times; without D12 before it has grown. */
@@ -23,7 +31,7 @@ static double time_and_quadrature(const RunCost *run, const RunCost *best, doubl
 static Status preset_rows(Bench *bench, const char *name, const char *capillary_number, const char *damage) {
   static const char *const presets[] = {"accuracy=draft", "accuracy=standard", "accuracy=fine"};
   static const double times[] = {1, 2, 4};
-  const char *mesh = bench->options->full ? "capsule.mesh.subdivisions=3" : "capsule.mesh.subdivisions=2";
+  const char *mesh = usual_mesh(bench);
   Status status;
   RunCost best = {.sets = (const char *const[]){mesh, capillary_number, "fluid.method=reference",
                                                 "time.tolerance=1e-7", damage, NULL},
@@ -57,7 +65,7 @@ Status bench_presets(Bench *bench) {
       "error of the mesh comes on top, and the tables above tell which mesh suits.\n\n"
       "| scene | `accuracy` | error of the shape | of d_max | evaluations | CPU s | seconds "
       "|\n|---|---|---|---|---|---|---|\n",
-      bench->options->full ? 1280 : 320));
+      usual_elements(bench)));
   TRY(preset_rows(bench, "Ca 0.3", "flow.capillary_number=0.3", "membrane.damage="));
   TRY(preset_rows(bench, "Ca 0.6", "flow.capillary_number=0.6", "membrane.damage="));
   TRY(preset_rows(bench, "Ca 0.7, damage", "flow.capillary_number=0.7", NULL));
@@ -89,47 +97,45 @@ cleanup:
   return status;
 }
 
+/* To one time, on two threads. */
+static RunCost run_to(const double *end, const char *const *sets) {
+  return (RunCost){.sets = sets, .times = end, .n_times = 1, .threads = BENCHMARK_THREADS};
+}
+
 static Status bench_stiff(Bench *bench) {
   static const double end = 1;
+  const char *mesh = usual_mesh(bench);
+  const char *const rk2_sets[] = {mesh, "membrane.damage=", "flow.capillary_number=0.01",
+                                  "time.integrator=rk2", NULL};
+  const char *const rkc2_sets[] = {mesh, "membrane.damage=", "flow.capillary_number=0.01", NULL};
   Status status;
-  RunCost rk2 = {.sets = (const char *const[]){"membrane.damage=", "flow.capillary_number=0.01",
-                                               "time.integrator=rk2", NULL},
-                 .times = &end,
-                 .n_times = 1,
-                 .threads = BENCHMARK_THREADS};
-  RunCost rkc2 = rk2;
-  rkc2.sets = (const char *const[]){"membrane.damage=", "flow.capillary_number=0.01", NULL};
+  RunCost rk2 = run_to(&end, rk2_sets), rkc2 = run_to(&end, rkc2_sets);
   bench_tell(bench, "Ca 0.01");
   TRY(benchmark_run(&rkc2, bench->error));
   TRY(benchmark_run(&rk2, bench->error));
-  TRY(text_append(
-      bench->page, bench->error,
-      "- Ca = 0.01 without damage to t = 1, 1280 elements: %lld evaluations with rk2 at its limit, "
-      "%lld with rkc2 (ratio %.1f), D12 = %.6f and %.6f.\n",
-      rk2.evaluations, rkc2.evaluations, (double)rk2.evaluations / (double)rkc2.evaluations, rk2.state[0].D12,
-      rkc2.state[0].D12));
+  TRY(text_append(bench->page, bench->error,
+                  "- Ca = 0.01 without damage to t = 1, %d elements: %lld evaluations with rk2 at its limit, "
+                  "%lld with rkc2 (ratio %.1f), D12 = %.6f and %.6f.\n",
+                  usual_elements(bench), rk2.evaluations, rkc2.evaluations,
+                  (double)rk2.evaluations / (double)rkc2.evaluations, rk2.state[0].D12, rkc2.state[0].D12));
 cleanup:
   return status;
 }
 
-static Status bench_symmetry(Bench *bench, bool is_elastic) {
-  Status status;
+static Status bench_symmetry(Bench *bench, const char *damage, const char *words) {
   static const double end = 10;
-  const char *whole_sets[8] = {0}, *sets[8] = {0};
-  size_t n = 0;
-  if (is_elastic) whole_sets[n] = sets[n] = "membrane.damage=", n++;
-  whole_sets[n] = "symmetry=off";
-  RunCost whole = {.sets = whole_sets, .times = &end, .n_times = 1, .threads = BENCHMARK_THREADS};
-  RunCost part = {.sets = sets, .times = &end, .n_times = 1, .threads = BENCHMARK_THREADS};
+  const char *mesh = usual_mesh(bench);
+  const char *const whole_sets[] = {mesh, "symmetry=off", damage, NULL}, *const sets[] = {mesh, damage, NULL};
+  Status status;
+  RunCost whole = run_to(&end, whole_sets), part = run_to(&end, sets);
   bench_tell(bench, "a quarter against the whole");
   TRY(benchmark_run(&whole, bench->error));
   TRY(benchmark_run(&part, bench->error));
-  TRY(text_append(
-      bench->page, bench->error,
-      "- Ca = 0.7 %s damage to t = 10, a quarter by symmetry against the whole: the shape differs by "
-      "%.1e, d_max by %.1e; %.2f s against %.2f s.\n",
-      is_elastic ? "without" : "with", work_error(&part.state[0], &whole.state[0]).shape,
-      work_error(&part.state[0], &whole.state[0]).d_max, part.seconds, whole.seconds));
+  const WorkError error = work_error(&part.state[0], &whole.state[0]);
+  TRY(text_append(bench->page, bench->error,
+                  "- Ca = 0.7 %s damage to t = 10, %d elements, a quarter by symmetry against the whole: the "
+                  "shape differs by %.1e, d_max by %.1e; %.2f s against %.2f s.\n",
+                  words, usual_elements(bench), error.shape, error.d_max, part.seconds, whole.seconds));
 cleanup:
   return status;
 }
@@ -181,8 +187,8 @@ Status bench_figures(Bench *bench) {
   TRY(bench_say(bench, "Single figures"));
   TRY(bench_D12(bench));
   TRY(bench_stiff(bench));
-  TRY(bench_symmetry(bench, true));
-  TRY(bench_symmetry(bench, false));
+  TRY(bench_symmetry(bench, "membrane.damage=", "without"));
+  TRY(bench_symmetry(bench, NULL, "with"));
   TRY(bench_inflation(bench));
   TRY(bench_list(bench));
 cleanup:

@@ -130,7 +130,7 @@ START_TEST(accuracy_sets_mesh_and_tolerance_unless_they_are_given) {
     const char *accuracy;
     int subdivisions;
     double tolerance;
-  } table[] = {{"accuracy=draft", 2, 1e-2}, {"accuracy=standard", 3, 1e-4}, {"accuracy=fine", 4, 1e-5}};
+  } table[] = {{"accuracy=draft", 2, 1e-3}, {"accuracy=standard", 3, 1e-4}, {"accuracy=fine", 4, 1e-5}};
   for (int i = 0; i < 3; i++) {
     Scene s = read_good(MEMBRANE SHEAR END, table[i].accuracy);
     ck_assert_int_eq(s.mesh.subdivisions, table[i].subdivisions);
