@@ -80,7 +80,6 @@ void flow_motion(FlowMotion *motion, CoupledSystem *system, Stepper *stepper) {
                .evaluations = evaluations,
                .rejected = rejected,
                .steps = steps,
-               .is_smooth = true,
                .t = stepper->memory.t,
                .R = system->R,
                .q = system->q},

@@ -45,7 +45,6 @@ static Status propose(Motion *motion, double t_limit, double *t1, Log *log, Erro
   InflationMotion *m = self(motion);
   Status status = STATUS_OK;
   m->t1 = next_time(m, t_limit);
-  motion->is_smooth = motion->t != m->path[piece(m, motion->t)][0];
   *t1 = m->t1;
   at(motion, m->t1, m->x, NULL);
   TRY(membrane_force(m->membrane, m->x, motion->t, m->t1 - motion->t, m->force, error));

@@ -25,7 +25,6 @@ struct Motion {
 
   double t;         /* accepted time */
   double last_step; /* size of the last accepted step */
-  bool is_smooth;   /* the velocity goes on smoothly from the step before */
   const double *R;  /* [n_nodes][3] internal force at the end of the proposed step */
   double *q;        /* [n_nodes][3] load there */
   long long (*evaluations)(const Motion *motion);

@@ -20,7 +20,6 @@ typedef struct {
   double work, dissipated; /* up to the accepted time, in units of G_s a^2 */
   double energy_scale;     /* the largest of work and energy spent so far: what the error of the balance is
                               relative to */
-  double power_slope;      /* divided difference of the power over the last step */
   Site rupture;            /* once t_l is known */
   double rupture_area;
   double steady_since; /* start of the time over which rates stayed below stop.steady; NAN: not now */
