@@ -54,7 +54,7 @@ static HistoryKind history_kind(const Simulation *s) {
 Status output_open(Output *output, const char *folder, const Simulation *s, Error *error) {
   Status status = STATUS_OK;
   const size_t nodes = (size_t)s->mesh.n_nodes, points = (size_t)membrane_points(s->membrane);
-  *output = (Output){.folder = folder, .last_row_t = NAN};
+  *output = (Output){.folder = folder, .last_row_t = NAN, .last_snapshot_t = NAN};
   TRY(print_resolved(output, s, error));
   TRY(parameter_cells_new(&output->parameters, s, error));
   TRY(ARRAY_NEW(&output->d, nodes, error));
@@ -266,6 +266,7 @@ Status output_snapshot(Output *output, Simulation *s, Record *record, Error *err
   TRY(snapshot_path(&path, output->folder, number, error));
   TRY(snapshot_write(path.data, &snapshot, error));
   TRY(series_add(&output->series, output->folder, number, &snapshot, error));
+  output->last_snapshot_t = snapshot.t;
 cleanup:
   text_free(&path);
   return status;
@@ -306,6 +307,7 @@ Status output_resume(Output *output, Simulation *s, Record *record, Log *log, bo
   TRY(output_restore(output, s, record, log, &number, error));
   *found = number >= 0;
   if (!*found) goto cleanup;
+  output->last_snapshot_t = s->motion->t;
   count_anew(output, s);
   TRY(remove_named(output, "summary.json", error)); /* of how the earlier part ended */
   TRY(remove_named(output, "report.html", error));

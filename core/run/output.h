@@ -21,6 +21,7 @@ typedef struct {
       next_snapshot;                /* due at next * history_every, next * snapshot_every after the start */
   long long snapshot_number;        /* of the next snapshot file */
   double last_row_t;                /* time of the last row; NAN: none */
+  double last_snapshot_t;           /* time of the last snapshot; NAN: none */
   double *d, *Y, *T1, *T2, *points; /* [n_nodes], [n_points] scratch for nodal fields */
 } Output;
 

@@ -129,6 +129,7 @@ static Status start(Run *run, Error *error) {
              run->simulation.stepper.memory.rho, run->simulation.stepper.integrator->name,
              stepper_stability_limit(&run->simulation.stepper));
   TRY(output_start(&run->output, &run->simulation, error));
+  log_drop_earlier(&run->log);
   TRY(record_begin(&run->record, false, error));
   TRY(renew_load(run, run->simulation.motion->t, error)); /* after the estimate of the spectral radius */
   TRY(take_samples(run, run->simulation.motion->t, error));
@@ -252,7 +253,9 @@ static Status conclude(Run *run, Error *error) {
   if (!has_row && run->outcome != OUTCOME_INTERRUPTED) TRY(sample(run, t, error));
   run->record.data.wall_seconds = wall_seconds(run);
   run->started = timer_wall_seconds();
-  TRY(output_snapshot(&run->output, &run->simulation, &run->record, error));
+  /* A run that is resumed may have had nothing left to do. */
+  if (run->output.last_snapshot_t != t)
+    TRY(output_snapshot(&run->output, &run->simulation, &run->record, error));
   TRY(write_summary(run, error));
   log_note(&run->log, "%s at t = %.6g, %lld evaluations, %.3g s", outcome_name(run->outcome), t,
            run->simulation.motion->evaluations(run->simulation.motion), run->record.data.wall_seconds);
@@ -310,7 +313,7 @@ static Status open_folder(Run *run, Text *folder, Error *error) {
     TRY(text_append(folder, error, "results/%s", run->scene.name));
   TRY(file_make_folder(folder->data, error));
   TRY(file_join(&log_path, folder->data, "log.txt", error));
-  TRY(log_open(&run->log, log_path.data, run->options->resume, run->options->quiet, error));
+  TRY(log_open(&run->log, log_path.data, run->options->quiet, error));
   log_note(&run->log, "capsella " CAPSELLA_VERSION ", scene %s", run->options->scene_path);
 cleanup:
   text_free(&log_path);

@@ -77,3 +77,28 @@ cp ruptured/history.csv once.csv
 "$@" --resume
 [ "$(number ruptured/summary.json status)" = ruptured ] || fail "status: $(cat ruptured/summary.json)"
 same ruptured/history.csv once.csv "history of a ruptured run that is resumed"
+
+# Neither gets another snapshot of the same time.
+before=$(ls ruptured whole)
+"$@" --resume
+"$capsella" run whole/resolved.yaml --quiet -o whole --resume
+[ "$(ls ruptured whole)" = "$before" ] || fail "files after resuming what is over: $(ls ruptured whole)"
+
+# A run that is refused leaves the folder as it was, its log apart: there a line is added.
+cp whole/log.txt log.before
+code=0
+"$capsella" run "$root/configs/shear_quick.yaml" --quiet -o whole --set membrane.law=no_such_law 2>message || code=$?
+[ $code = 2 ] || fail "a law that is not there: exit code $code"
+[ "$(ls ruptured whole)" = "$before" ] || fail "files after a refusal: $(ls whole)"
+head -c "$(wc -c <log.before)" whole/log.txt | cmp -s - log.before || fail "the log of the earlier run is gone"
+
+# Two runs in one folder would spoil each other's results.
+set -- "$capsella" run "$root/configs/shear_quick.yaml" --quiet -o shared --threads 1
+"$@" --set time.end=100 &
+process=$!
+while [ ! -f shared/snapshot_000000.vtkhdf ] && kill -0 $process 2>/dev/null; do sleep 0.01; done
+code=0
+"$@" 2>message || code=$?
+kill -9 $process 2>/dev/null || true
+wait $process 2>/dev/null || true
+[ $code = 1 ] && grep -q 'another run' message || fail "a second run in a folder: $code $(cat message)"
