@@ -95,7 +95,7 @@ static inline void must_force(Shell *shell, const double *x, double *R) {
 
 static inline void must_load(Shell *shell, const double *R, double *q) {
   Error error;
-  const Status status = membrane_load(shell->membrane, R, q, &error);
+  const Status status = membrane_load(shell->membrane, LOAD_FULL, R, q, &error);
   ck_assert_msg(status == STATUS_OK, "%s", status == STATUS_OK ? "" : error.text);
 }
 

@@ -71,11 +71,12 @@ static Status check_finite(const CoupledSystem *system, const double *v, Error *
   return STATUS_OK;
 }
 
-static Status load(CoupledSystem *system, const double *x, double t, double dt, Error *error) {
+static Status load(CoupledSystem *system, LoadAccuracy accuracy, const double *x, double t, double dt,
+                   Error *error) {
   Status status = STATUS_OK;
   system->evaluations++;
   TRY(membrane_force(system->membrane, x, t, dt, system->R, error));
-  TRY(membrane_load(system->membrane, system->R, system->q, error));
+  TRY(membrane_load(system->membrane, accuracy, system->R, system->q, error));
 cleanup:
   return status;
 }
@@ -88,7 +89,7 @@ static void add_flow(const CoupledSystem *system, const double *x, double t, dou
 
 Status system_velocity(CoupledSystem *system, const double *x, double t, double dt, double *v, Error *error) {
   Status status = STATUS_OK;
-  TRY(load(system, x, t, dt, error));
+  TRY(load(system, LOAD_FULL, x, t, dt, error));
   TRY(single_layer_evaluate(system->layer, x, system->q, system->u, error));
   add_flow(system, x, t + dt, v);
   if (system->symmetry) symmetry_spread(system->symmetry, v);
@@ -106,7 +107,7 @@ static Status coarse_velocity(CoupledSystem *system, const double *x, double t, 
                               Error *error) {
   Status status = STATUS_OK;
   system->coarse_evaluations++;
-  TRY(load(system, x, t, dt, error));
+  TRY(load(system, LOAD_COARSE, x, t, dt, error));
   TRY(coarse_layer_evaluate(system->coarse, x, system->q, system->u, error));
   add_flow(system, x, t + dt, v);
 cleanup:
@@ -116,7 +117,7 @@ cleanup:
 static Status open_step(void *context, const double *x, double t, const double *f, Error *error) {
   Status status = STATUS_OK;
   CoupledSystem *system = context;
-  TRY(coarse_layer_hold(system->coarse, x, system->q, error));
+  coarse_layer_settle(system->coarse);
   TRY(coarse_velocity(system, x, t, 0, system->lack, error));
   for (int i = 0; i < 3 * system->mesh->n_nodes; i++) system->lack[i] = f[i] - system->lack[i];
 cleanup:

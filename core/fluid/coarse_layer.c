@@ -8,6 +8,8 @@
 #include "fluid/targets.h"
 #include "fluid/walk.h"
 
+#include <stdbool.h>
+
 static const double ONE_OVER_8PI = 0.039788735772973836;
 
 /* No element is cut: one next to the target gives the largest error, a few 1e-4. */
@@ -21,6 +23,7 @@ struct CoarseLayer {
   SurfaceTree tree;
   CoarseBlock *blocks; /* [tree.n_blocks] those of the tree, rounded */
   HeldRuns *held;      /* [n_nodes], of which one for each target: what stands for all but its own elements */
+  bool is_settled;     /* held[] belongs to the step */
   KernelCount count;
 };
 
@@ -30,9 +33,12 @@ Status coarse_layer_new(CoarseLayer **out, const Mesh *mesh, const Symmetry *sym
   TRY(ARRAY_NEW(&layer, 1, error));
   layer->mesh = mesh;
   TRY(targets_new(&layer->targets, mesh, error));
-  if (symmetry) targets_use_symmetry(&layer->targets, symmetry);
   TRY(singular_new(&layer->singular, &POLAR, error));
   TRY(tree_new(&layer->tree, mesh, &TREE, error));
+  if (symmetry) {
+    targets_use_symmetry(&layer->targets, symmetry);
+    tree_use_symmetry(&layer->tree, symmetry);
+  }
   TRY(ARRAY_NEW(&layer->blocks, layer->tree.n_blocks, error));
   TRY(ARRAY_NEW(&layer->held, mesh->n_nodes, error));
   *out = layer;
@@ -71,10 +77,7 @@ static void hold_target(CoarseLayer *layer, const double *x, const double *q, in
   gather_flush(&gather);
 }
 
-Status coarse_layer_hold(CoarseLayer *layer, const double *x, const double *q, Error *error) {
-  Status status = STATUS_OK;
-  TRY(targets_check_finite("position", layer->mesh->n_nodes, x, error));
-  tree_update(&layer->tree, x, q);
+static Status hold_all(CoarseLayer *layer, const double *x, const double *q, Error *error) {
 #pragma omp parallel for schedule(dynamic, 16)
   for (int i = 0; i < layer->targets.n; i++) hold_target(layer, x, q, i);
   for (int i = 0; i < layer->targets.n; i++) {
@@ -83,8 +86,12 @@ Status coarse_layer_hold(CoarseLayer *layer, const double *x, const double *q, E
                        layer->targets.node[i]);
     }
   }
-cleanup:
-  return status;
+  layer->is_settled = true;
+  return STATUS_OK;
+}
+
+void coarse_layer_settle(CoarseLayer *layer) {
+  layer->is_settled = false;
 }
 
 /* Returns the number of points around the node, or -1 when an element has no tangent plane there. */
@@ -130,6 +137,7 @@ Status coarse_layer_evaluate(CoarseLayer *layer, const double *x, const double *
   TRY(targets_check_finite("position", n_nodes, x, error));
   TRY(targets_check_finite("load", n_nodes, q, error));
   tree_update(&layer->tree, x, q);
+  if (!layer->is_settled) TRY(hold_all(layer, x, q, error));
   int degenerate = sum_targets(layer, x, q, u);
   if (degenerate < n_nodes) {
     return error_set(error, STATUS_REJECT, "single layer: an element at node %d is degenerate", degenerate);

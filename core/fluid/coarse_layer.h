@@ -16,10 +16,10 @@ typedef struct CoarseLayer CoarseLayer;
 Status coarse_layer_new(CoarseLayer **layer, const Mesh *mesh, const Symmetry *symmetry, Error *error);
 void coarse_layer_free(CoarseLayer *layer);
 
-/* Settles what stands for what from now on.  x, q [n_nodes][3]. */
-Status coarse_layer_hold(CoarseLayer *layer, const double *x, const double *q, Error *error);
+/* A step starts: the next evaluation settles what stands for what. */
+void coarse_layer_settle(CoarseLayer *layer);
 
-/* x, q, u [n_nodes][3], with x near to that of the last coarse_layer_hold.  STATUS_REJECT when x or q is not
+/* x, q, u [n_nodes][3], with x near to that at the start of the step.  STATUS_REJECT when x or q is not
  * finite or an element is degenerate. */
 Status coarse_layer_evaluate(CoarseLayer *layer, const double *x, const double *q, double *u, Error *error);
 

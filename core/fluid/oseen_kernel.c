@@ -8,6 +8,19 @@
 #include <math.h>
 
 VECTOR_CLONES
+void oseen_reflect(const double sign[3], const OseenBlock *restrict from, int n, OseenBlock *restrict to) {
+  for (int k = 0; k < n; k++) {
+    for (int c = 0; c < 3; c++) {
+#pragma omp simd
+      for (int i = 0; i < OSEEN_LANES; i++) {
+        to[k].y[c][i] = sign[c] * from[k].y[c][i];
+        to[k].f[c][i] = sign[c] * from[k].f[c][i];
+      }
+    }
+  }
+}
+
+VECTOR_CLONES
 void oseen_sum(const OseenRun *runs, int n, const double x[3], double u[3]) {
   const double x0 = x[0], x1 = x[1], x2 = x[2];
   double sum[3][OSEEN_LANES] = {{0}};

@@ -17,6 +17,9 @@ typedef struct {
   int n;
 } OseenRun;
 
+/* The images of n blocks under a change of sign of the coordinates. */
+void oseen_reflect(const double sign[3], const OseenBlock *from, int n, OseenBlock *to);
+
 /* u += sum of J(x, y) f over the points of n runs, with J = 1/r + r r / r^3.  No y may be x. */
 void oseen_sum(const OseenRun *runs, int n, const double x[3], double u[3]);
 

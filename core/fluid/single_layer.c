@@ -55,6 +55,7 @@ cleanup:
 
 void single_layer_use_symmetry(SingleLayer *layer, const Symmetry *symmetry) {
   targets_use_symmetry(&layer->targets, symmetry);
+  tree_use_symmetry(&layer->tree, symmetry);
 }
 
 void single_layer_free(SingleLayer *layer) {

@@ -134,6 +134,8 @@ Status tree_new(SurfaceTree *tree, const Mesh *mesh, const TreeScheme *scheme, E
   OseenBlock *free = tree->lined_points + lined;
   for (int l = tree->element_level; l < tree->n_levels; l++) TRY(new_piece_level(tree, l, error));
   for (int l = tree->element_level - 1; l >= 0; l--) TRY(new_nested_level(tree, l, &free, error));
+  tree->n_roots = tree->element_level > 0 ? tree->level[0].n : mesh->n_elements / CHILDREN;
+  TRY(ARRAY_NEW(&tree->image, tree->n_roots, error));
 cleanup:
   return status;
 }
@@ -152,6 +154,7 @@ void tree_free(SurfaceTree *tree) {
     array_free(level->nested.weight);
   }
   array_free(tree->blocks);
+  array_free(tree->image);
 }
 
 static void get_center(const TreeLevel *level, int k, double center[3]) {
@@ -270,20 +273,83 @@ static void update_moments(SurfaceTree *tree, int l, int k, const double *x) {
   if (!elements_below) level->reach2[k] = nested->far2[k];
 }
 
+/* Nodes of a level that belong to one subtree. */
+static int nodes_of_root(const SurfaceTree *tree, int l) {
+  return tree->level[l].n / tree->n_roots;
+}
+
+static void update_root(SurfaceTree *tree, int root, const double *x, const double *q) {
+  int n = nodes_of_root(tree, tree->element_level);
+  for (int first = n * root; first < n * (root + 1); first += CHILDREN) {
+    for (int i = 0; i < CHILDREN; i++) update_element(tree, first + i, x, q);
+    line_up(tree, first);
+  }
+  for (int l = tree->element_level - 1; l >= 0; l--) {
+    n = nodes_of_root(tree, l);
+    for (int k = n * root; k < n * (root + 1); k++) {
+      update_sphere(tree, l, k, x);
+      if (tree->scheme.far > 0) update_moments(tree, l, k, x);
+    }
+  }
+}
+
+void tree_use_symmetry(SurfaceTree *tree, const Symmetry *symmetry) {
+  int n = nodes_of_root(tree, tree->element_level);
+  for (int root = 0; root < tree->n_roots; root++) {
+    int least = root;
+    for (int i = 0; i < symmetry->n_operations; i++) {
+      int image = symmetry->operation[i].element[n * root] / n;
+      if (image < least) tree->image[root] = &symmetry->operation[i];
+      if (image < least) least = image;
+    }
+  }
+}
+
+static void reflect_node(const SurfaceTree *tree, int l, const double sign[3], int from, int to) {
+  const TreeLevel *level = &tree->level[l];
+  const TreeMoments *nested = &level->nested;
+  for (int c = 0; c < 3; c++) level->center[c][to] = sign[c] * level->center[c][from];
+  level->reach2[to] = level->reach2[from];
+  if (l == tree->element_level) {
+    oseen_reflect(sign, &level->points[from * level->n_blocks], level->n_blocks,
+                  &level->points[to * level->n_blocks]);
+    return;
+  }
+  nested->clear[to] = nested->clear[from];
+  nested->far2[to] = nested->far2[from];
+  if (tree->scheme.far == 0) return;
+  nested->roughness[to] = nested->roughness[from];
+  oseen_reflect(sign, &nested->moments[from * LATTICE_BLOCKS], LATTICE_BLOCKS,
+                &nested->moments[to * LATTICE_BLOCKS]);
+}
+
+/* A node with all that is below it goes onto such a node: points and children may come in another order. */
+static void reflect_root(SurfaceTree *tree, int root) {
+  const SymmetryOperation *operation = tree->image[root];
+  int n_fours = nodes_of_root(tree, tree->element_level) / CHILDREN, blocks = blocks_of_four(tree);
+  for (int four = n_fours * root; four < n_fours * (root + 1); four++) {
+    int from = operation->element[CHILDREN * four] / CHILDREN;
+    oseen_reflect(operation->sign, &tree->lined_points[from * blocks], blocks,
+                  &tree->lined_points[four * blocks]);
+  }
+  for (int l = tree->element_level; l >= 0; l--) {
+    int n = nodes_of_root(tree, l), n_below = tree->level[tree->element_level].n / tree->level[l].n;
+    for (int k = n * root; k < n * (root + 1); k++) {
+      reflect_node(tree, l, operation->sign, operation->element[n_below * k] / n_below, k);
+    }
+  }
+}
+
 void tree_update(SurfaceTree *tree, const double *x, const double *q) {
 #pragma omp parallel
   {
-#pragma omp for schedule(static)
-    for (int first = 0; first < tree->mesh->n_elements; first += CHILDREN) {
-      for (int i = 0; i < CHILDREN; i++) update_element(tree, first + i, x, q);
-      line_up(tree, first);
+#pragma omp for schedule(dynamic, 1)
+    for (int root = 0; root < tree->n_roots; root++) {
+      if (!tree->image[root]) update_root(tree, root, x, q);
     }
-    for (int l = tree->element_level - 1; l >= 0; l--) {
 #pragma omp for schedule(static)
-      for (int k = 0; k < tree->level[l].n; k++) {
-        update_sphere(tree, l, k, x);
-        if (tree->scheme.far > 0) update_moments(tree, l, k, x);
-      }
+    for (int root = 0; root < tree->n_roots; root++) {
+      if (tree->image[root]) reflect_root(tree, root);
     }
   }
 }

@@ -11,6 +11,7 @@
 #include "fluid/lattice.h"
 #include "fluid/piece_kernel.h"
 #include "mesh/mesh.h"
+#include "mesh/symmetry.h"
 
 /* When a node of the tree will do as it is. */
 typedef struct {
@@ -53,10 +54,18 @@ typedef struct {
   int n_blocks;
   OseenBlock *lined_points; /* of all elements, without gaps */
   PieceRule rule;
+  /* Subtrees that share nothing: those of the nodes of level 0, or fours of elements where those are level 0.
+   */
+  int n_roots;
+  const SymmetryOperation **image; /* [n_roots] that takes it onto a subtree before it; NULL: there is none */
 } SurfaceTree;
 
 Status tree_new(SurfaceTree *tree, const Mesh *mesh, const TreeScheme *scheme, Error *error);
 void tree_free(SurfaceTree *tree);
+
+/* From now on x and q have this symmetry, which must outlive the tree: subtrees that are images of others are
+ * not computed but reflected. */
+void tree_use_symmetry(SurfaceTree *tree, const Symmetry *symmetry);
 
 /* Elements and nested triangles at positions x with load q, both [n_nodes][3]. */
 void tree_update(SurfaceTree *tree, const double *x, const double *q);

@@ -49,8 +49,11 @@ void mass_free(MassSystem *mass);
  * them. */
 void mass_update(MassSystem *mass, const double *element_mass);
 
+/* Relative residual of the conjugate gradients: 1e-10, or 1e-6 for the inner stages of a step. */
+typedef enum { LOAD_FULL, LOAD_COARSE } LoadAccuracy;
+
 /* M q = R; R, q [n_nodes][3]; q holds the start of the iteration on entry.  Falls back to the direct solver
  * when conjugate gradients stall on a distorted mesh. */
-Status mass_solve(MassSystem *mass, const double *R, double *q, Error *error);
+Status mass_solve(MassSystem *mass, LoadAccuracy accuracy, const double *R, double *q, Error *error);
 
 #endif

@@ -384,12 +384,12 @@ cleanup:
   return status;
 }
 
-Status membrane_load(Membrane *m, const double *R, double *q, Error *error) {
+Status membrane_load(Membrane *m, LoadAccuracy accuracy, const double *R, double *q, Error *error) {
   for (int first = 0; first < m->n_elements; first += LANES)
     element_mass(&m->basis, metric_from(m, first), block_size(m, first), m->J + first,
                  m->element_mass + first, m->n_elements);
   mass_update(&m->mass, m->element_mass);
-  return mass_solve(&m->mass, R, q, error);
+  return mass_solve(&m->mass, accuracy, R, q, error);
 }
 
 void membrane_commit(Membrane *m) {

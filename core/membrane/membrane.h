@@ -9,6 +9,7 @@
 
 #include "base/status.h"
 #include "laws/material.h"
+#include "membrane/mass.h"
 #include "mesh/mesh.h"
 #include "mesh/symmetry.h"
 #include <stdbool.h>
@@ -43,7 +44,7 @@ const LawFailure *membrane_law_failure(const Membrane *membrane);
 
 /* M q = R on the surface at the positions of the last membrane_force (paper eq. 3.4a).  q [n_nodes][3] holds
  * the start of the iteration on entry. */
-Status membrane_load(Membrane *membrane, const double *R, double *q, Error *error);
+Status membrane_load(Membrane *membrane, LoadAccuracy accuracy, const double *R, double *q, Error *error);
 
 /* Accepts the trial history of the last membrane_force; the trial state stays readable. */
 void membrane_commit(Membrane *membrane);

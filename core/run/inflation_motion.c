@@ -48,7 +48,7 @@ static Status propose(Motion *motion, double t_limit, double *t1, Log *log, Erro
   *t1 = m->t1;
   at(motion, m->t1, m->x, NULL);
   TRY(membrane_force(m->membrane, m->x, motion->t, m->t1 - motion->t, m->force, error));
-  TRY(membrane_load(m->membrane, m->force, m->load, error));
+  TRY(membrane_load(m->membrane, LOAD_FULL, m->force, m->load, error));
 cleanup:
   if (status == STATUS_REJECT) status = error->code = STATUS_FAILED; /* a prescribed step cannot be cut */
   return status;

@@ -94,7 +94,7 @@ cleanup:
 static Status renew_load(Run *run, double t, Error *error) {
   Status status = STATUS_OK;
   TRY(record_probe(&run->record, t, error));
-  TRY(membrane_load(run->simulation.membrane, run->record.R, run->simulation.motion->q, error));
+  TRY(membrane_load(run->simulation.membrane, LOAD_FULL, run->record.R, run->simulation.motion->q, error));
 cleanup:
   return status;
 }

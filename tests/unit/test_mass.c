@@ -87,7 +87,7 @@ START_TEST(both_solvers_solve_what_the_elements_add_up_to) {
     Error error;
     problem_open(&problem, solvers[k]);
     mass_update(&problem.mass, problem.element_mass);
-    ck_assert_int_eq(mass_solve(&problem.mass, problem.R, problem.q, &error), STATUS_OK);
+    ck_assert_int_eq(mass_solve(&problem.mass, LOAD_FULL, problem.R, problem.q, &error), STATUS_OK);
     ck_assert_double_le(residual(&problem), k ? 1e-14 : 1e-9); /* conjugate gradients stop at 1e-10, scaled */
     ck_assert_int_eq(problem.mass.direct != NULL, k);
     problem_close(&problem);
@@ -100,10 +100,10 @@ START_TEST(a_good_start_saves_iterations) {
   Error error;
   problem_open(&problem, MASS_PCG);
   mass_update(&problem.mass, problem.element_mass);
-  ck_assert_int_eq(mass_solve(&problem.mass, problem.R, problem.q, &error), STATUS_OK);
+  ck_assert_int_eq(mass_solve(&problem.mass, LOAD_FULL, problem.R, problem.q, &error), STATUS_OK);
   const long long cold = problem.mass.iterations;
   for (int i = 0; i < problem.n; i++) problem.q[i] *= 1 + 1e-6;
-  ck_assert_int_eq(mass_solve(&problem.mass, problem.R, problem.q, &error), STATUS_OK);
+  ck_assert_int_eq(mass_solve(&problem.mass, LOAD_FULL, problem.R, problem.q, &error), STATUS_OK);
   const long long warm = problem.mass.iterations - cold;
   ck_assert_int_gt((int)warm, 0);
   ck_assert_int_lt((int)warm, (int)cold * 2 / 3);
@@ -118,7 +118,7 @@ START_TEST(a_spoilt_start_does_not_spoil_the_solution) {
   problem_open(&problem, MASS_PCG);
   mass_update(&problem.mass, problem.element_mass);
   problem.q[17] = NAN;
-  ck_assert_int_eq(mass_solve(&problem.mass, problem.R, problem.q, &error), STATUS_OK);
+  ck_assert_int_eq(mass_solve(&problem.mass, LOAD_FULL, problem.R, problem.q, &error), STATUS_OK);
   ck_assert_ptr_nonnull(problem.mass.direct); /* the direct solver stepped in */
   ck_assert_double_le(residual(&problem), 1e-14);
   problem_close(&problem);
@@ -133,7 +133,7 @@ START_TEST(a_singular_mass_is_refused_by_both) {
     problem_open(&problem, solvers[k]);
     for (int i = 0; i < MASS_PAIRS * problem.mesh.n_elements; i++) problem.element_mass[i] = 0;
     mass_update(&problem.mass, problem.element_mass);
-    ck_assert_int_eq(mass_solve(&problem.mass, problem.R, problem.q, &error), STATUS_REJECT);
+    ck_assert_int_eq(mass_solve(&problem.mass, LOAD_FULL, problem.R, problem.q, &error), STATUS_REJECT);
     problem_close(&problem);
   }
 }
