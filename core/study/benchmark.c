@@ -4,6 +4,7 @@
 #include "base/timer.h"
 #include "fluid/oseen_kernel.h"
 #include "observe/shape.h"
+#include "run/record.h"
 #include "run/simulation.h"
 #include <math.h>
 #include <omp.h>
@@ -209,6 +210,51 @@ Status benchmark_run(RunCost *run, Error *error) {
   run->seconds = timer_median(wall, n);
   run->cpu_seconds = timer_median(cpu, n);
 cleanup:
+  return status;
+}
+
+static Status advance_to_rupture(Simulation *s, Record *record, Error *error) {
+  static const double LATEST = 20;
+  Status status;
+  Motion *motion = s->motion;
+  do {
+    double t1;
+    TRY(motion->propose(motion, LATEST, &t1, NULL, error));
+    TRY(record_step(record, t1, error));
+    TRY(record_events(record, error));
+    TRY(record_probe(record, t1, error));
+    TRY(record_advance(record, error));
+    motion->accept(motion);
+    membrane_commit(s->membrane);
+  } while (isnan(record->data.t_l) && motion->t < LATEST);
+  if (isnan(record->data.t_l))
+    return error_set(error, STATUS_FAILED, "expected rupture up to t = %g, found none", LATEST);
+cleanup:
+  return status;
+}
+
+Status benchmark_rupture(RuptureCost *run, Error *error) {
+  Status status;
+  Scene scene = {0};
+  Simulation s = {0};
+  Record record = {0};
+  omp_set_num_threads(run->threads);
+  const double wall = timer_wall_seconds(), cpu = timer_cpu_seconds();
+  TRY(read_case(&scene, run->sets, error));
+  TRY(simulation_new(&s, &scene, NULL, error));
+  TRY(record_new(&record, &s, error));
+  TRY(simulation_start(&s, error));
+  TRY(record_begin(&record, false, error));
+  TRY(advance_to_rupture(&s, &record, error));
+  run->t_c = record.data.t_c;
+  run->t_l = record.data.t_l;
+  run->evaluations = s.system.evaluations;
+  run->seconds = timer_wall_seconds() - wall;
+  run->cpu_seconds = timer_cpu_seconds() - cpu;
+cleanup:
+  record_free(&record);
+  simulation_free(&s);
+  scene_free(&scene);
   return status;
 }
 

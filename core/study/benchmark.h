@@ -72,6 +72,18 @@ typedef struct {
  * 1280 elements, but for what `sets` says. */
 Status benchmark_run(RunCost *run, Error *error);
 
+typedef struct {
+  const char *const *sets; /* as of a RunCost */
+  int threads;
+  /* Found: */
+  double t_c, t_l; /* first damage, rupture */
+  double seconds, cpu_seconds;
+  long long evaluations;
+} RuptureCost;
+
+/* Runs to rupture.  STATUS_FAILED when there is none up to t = 20. */
+Status benchmark_rupture(RuptureCost *run, Error *error);
+
 /* ---- the machine ---- */
 
 /* Pairs per second of the bare kernel on one thread, median of several. */

@@ -28,8 +28,10 @@ static double time_and_quadrature(const RunCost *run, const RunCost *best, doubl
   return shape;
 }
 
+static const char *const presets[] = {"accuracy=draft", "accuracy=standard", "accuracy=fine"};
+enum { N_PRESETS = sizeof presets / sizeof *presets };
+
 static Status preset_rows(Bench *bench, const char *name, const char *capillary_number, const char *damage) {
-  static const char *const presets[] = {"accuracy=draft", "accuracy=standard", "accuracy=fine"};
   static const double times[] = {1, 2, 4};
   const char *mesh = usual_mesh(bench);
   Status status;
@@ -40,7 +42,7 @@ static Status preset_rows(Bench *bench, const char *name, const char *capillary_
                   .threads = BENCHMARK_THREADS};
   bench_tell(bench, name);
   TRY(benchmark_run(&best, bench->error));
-  for (int k = 0; k < 3; k++) {
+  for (int k = 0; k < N_PRESETS; k++) {
     double d_max;
     RunCost run = best;
     run.sets = (const char *const[]){mesh, capillary_number, presets[k], damage, NULL};
@@ -49,6 +51,32 @@ static Status preset_rows(Bench *bench, const char *name, const char *capillary_
     TRY(text_append(bench->page, bench->error, "| %s | `%s` | %.1e | %.1e | %lld | %.3f | %.3f |\n", name,
                     presets[k] + sizeof "accuracy", shape, d_max, run.evaluations, run.cpu_seconds,
                     run.seconds));
+  }
+cleanup:
+  return status;
+}
+
+static Status preset_ruptures(Bench *bench) {
+  static const char capillary_number[] = "flow.capillary_number=0.8";
+  const char *mesh = usual_mesh(bench);
+  Status status;
+  RuptureCost best = {.sets = (const char *const[]){mesh, capillary_number, "fluid.method=reference",
+                                                    "time.tolerance=1e-7", NULL},
+                      .threads = BENCHMARK_THREADS};
+  bench_tell(bench, "rupture at Ca 0.8");
+  TRY(benchmark_rupture(&best, bench->error));
+  TRY(text_append(bench->page, bench->error,
+                  "\nRupture at Ca = 0.8 on the same mesh, against t_c = %.5f and t_l = %.5f:\n\n"
+                  "| `accuracy` | t_c off by | t_l off by | evaluations | CPU s | seconds |\n"
+                  "|---|---|---|---|---|---|\n",
+                  best.t_c, best.t_l));
+  for (int k = 0; k < N_PRESETS; k++) {
+    RuptureCost run = {.sets = (const char *const[]){mesh, capillary_number, presets[k], NULL},
+                       .threads = BENCHMARK_THREADS};
+    TRY(benchmark_rupture(&run, bench->error));
+    TRY(text_append(bench->page, bench->error, "| `%s` | %.2f %% | %.2f %% | %lld | %.3f | %.3f |\n",
+                    presets[k] + sizeof "accuracy", 100 * fabs(run.t_c / best.t_c - 1),
+                    100 * fabs(run.t_l / best.t_l - 1), run.evaluations, run.cpu_seconds, run.seconds));
   }
 cleanup:
   return status;
@@ -70,6 +98,7 @@ Status bench_presets(Bench *bench) {
   TRY(preset_rows(bench, "Ca 0.6", "flow.capillary_number=0.6", "membrane.damage="));
   TRY(preset_rows(bench, "Ca 0.7, damage", "flow.capillary_number=0.7", NULL));
   TRY(preset_rows(bench, "Ca 0.8, damage, before rupture", "flow.capillary_number=0.8", NULL));
+  TRY(preset_ruptures(bench));
 cleanup:
   return status;
 }

@@ -80,11 +80,25 @@ START_TEST(three_points_of_the_work_precision_curve) {
 }
 END_TEST
 
+START_TEST(rupture_is_waited_for_and_its_absence_is_told) {
+  Error error;
+  RuptureCost run = {
+      .sets = (const char *const[]){"capsule.mesh.subdivisions=1", "flow.capillary_number=1", NULL},
+      .threads = 1};
+  ck_assert_msg(benchmark_rupture(&run, &error) == STATUS_OK, "%s", error.text);
+  ck_assert(0 < run.t_c && run.t_c < run.t_l && run.t_l < 20);
+  run.sets = (const char *const[]){"capsule.mesh.subdivisions=1", "flow.capillary_number=0.3", NULL};
+  ck_assert_int_eq(benchmark_rupture(&run, &error), STATUS_FAILED);
+  ck_assert_str_eq(error.text, "expected rupture up to t = 20, found none");
+}
+END_TEST
+
 int main(void) {
   setenv("MLAW_PLUGIN_PATH", BUILD_DIR "/plugins", 1);
   return suite_run("benchmark", (SuiteTests){the_direct_method_costs_what_its_rule_says,
                                              symmetry_leaves_a_quarter_of_the_pairs,
                                              the_fast_method_sums_a_quarter_of_the_pairs_of_the_direct_one,
                                              the_fast_method_is_accurate_on_a_stretched_capsule,
-                                             three_points_of_the_work_precision_curve, NULL});
+                                             three_points_of_the_work_precision_curve,
+                                             rupture_is_waited_for_and_its_absence_is_told, NULL});
 }
