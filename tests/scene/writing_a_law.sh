@@ -23,6 +23,7 @@ code=0
 while IFS= read -r line; do
   grep -qF "$line" output || fail "the page shows a line that does not come: $line"
 done <shown
+grep -q '</svg>' empty/soft.svg || fail "no chart of the law"
 for picture in tear soft; do
   grep -q '</svg>' "empty/results/$picture/capsule.svg" || fail "no picture of $picture"
   [ "$(number "empty/results/$picture/summary.json" status)" = ruptured ] || fail "no rupture of $picture"
