@@ -195,7 +195,7 @@ cleanup:
 }
 
 Status benchmark_run(RunCost *run, Error *error) {
-  static const double WORTH_REPEATING = 3; /* seconds in all */
+  static const double WORTH_REPEATING = 1; /* seconds in all */
   Status status = STATUS_OK;
   double wall[BENCHMARK_RUNS], cpu[BENCHMARK_RUNS], sum = 0;
   int n = 0;

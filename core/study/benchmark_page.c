@@ -49,8 +49,8 @@ static Status bench_choices(Bench *bench, BenchmarkPage *page) {
   TRY(bench_say(bench, "Run time against error: which mesh, method and tolerance"));
   TRY(text_append(
       bench->page, bench->error,
-      "Two threads, no output; CPU seconds and seconds are medians of up to five runs (one, when it takes "
-      "three seconds).\nThe error of the shape is the largest of those of D12 and the three axes of the "
+      "Two threads, no output; CPU seconds and seconds are medians of up to five runs (one, when it takes a "
+      "second).\nThe error of the shape is the largest of those of D12 and the three axes of the "
       "ellipsoid of inertia (relative), of beta/pi and of the area strain, against `fast` on %d elements "
       "with "
       "rkc2 at 1e-5; that of d_max is absolute.\nAn error counts no less than its "
@@ -68,7 +68,7 @@ static Status bench_grids(Bench *bench) {
       bench->page, bench->error,
       "\n## All points\n\nParts of the error of the shape, each found by turning one knob: by space, the "
       "mesh (`fast`, rkc2 1e-6) against the reference; by quadrature, the method against `reference` on the "
-      "same mesh (rkc2 1e-4); by time, the step against rkc2 1e-6 on the same mesh (`fast`).\n"));
+      "same mesh (rkc2 1e-3); by time, the step against rkc2 1e-6 on the same mesh (`fast`).\n"));
   for (int k = 0; k < N_CASES; k++) {
     TRY(text_append(bench->page, bench->error, "\n### %s\n\n", titles[k]));
     TRY(work_print_grid(&bench->work[k], bench->page, bench->error));
