@@ -44,15 +44,22 @@ bool case_ended(const Case *item) {
   return item->state == CASE_DONE || item->state == CASE_FAILED;
 }
 
+/* The entry of a list at a position written in digits, or NULL. */
+static const YamlNode *entry_of(const YamlNode *list, const char *position) {
+  char *end;
+  const unsigned long k = strtoul(position, &end, 10);
+  return *end == '\0' && k < list->count ? list->items[k] : NULL;
+}
+
 static const YamlNode *figure(const Case *item, const char *key) {
   char name[64];
   const YamlNode *node = item->summary;
   while (node && *key) {
     const size_t length = strcspn(key, ".");
-    if (node->kind != YAML_TREE_MAPPING || length >= sizeof name) return NULL;
+    if (node->kind == YAML_TREE_TEXT || length >= sizeof name) return NULL;
     memcpy(name, key, length);
     name[length] = '\0';
-    node = yaml_tree_find(node, name);
+    node = node->kind == YAML_TREE_MAPPING ? yaml_tree_find(node, name) : entry_of(node, name);
     key += length + (key[length] == '.');
   }
   return node;

@@ -77,8 +77,8 @@ RunnerCount runner_count(const Runner *runner);
 
 bool case_ended(const Case *item);
 
-/* A figure of the case's summary.json by its key with dots ("rupture.angle_to_vorticity_deg"); NAN when there
- * is none. */
+/* A figure of the case's summary.json by its key with dots, lists being counted from 0
+ * ("rupture.angle_to_vorticity_deg", "criteria.0.t_l"); NAN when there is none. */
 double case_number(const Case *item, const char *key);
 /* Component `k` of a list there: "rupture.X". */
 double case_component(const Case *item, const char *key, size_t k);

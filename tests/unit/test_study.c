@@ -132,7 +132,7 @@ END_TEST
 START_TEST(a_kind_or_version_that_is_unknown_is_refused) {
   static const struct {
     const char *head, *words;
-  } table[] = {{"schema: 1\nstudy: swep\n", "2:8: expected `sweep`"},
+  } table[] = {{"schema: 1\nstudy: swep\n", "found `swep` (did you mean `sweep`?)"},
                {"schema: 2\nstudy: sweep\n", "1:9: expected `1` for `schema`"},
                {"study: sweep\n", "expected the key `schema`"},
                {"schema: 1\n", "expected the key `study`"}};
