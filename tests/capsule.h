@@ -12,6 +12,7 @@ typedef struct {
   Shell shell;
   Flow flow;
   SingleLayer *layer;
+  CoarseLayer *coarse; /* NULL: inner stages are summed as all else */
   CoupledSystem system;
 } Capsule;
 
@@ -20,11 +21,19 @@ static inline void capsule_immerse(Capsule *capsule, const double gradient[3][3]
                                    FluidMethod method, bool keep_volume) {
   Error error;
   const double mobility = 1 / (capillary_number * capsule->shell.material.shear_modulus);
+  capsule->coarse = NULL;
   flow_linear(&capsule->flow, gradient);
   ck_assert_int_eq(single_layer_new(&capsule->layer, &capsule->shell.mesh, method, &error), STATUS_OK);
   ck_assert_int_eq(system_new(&capsule->system, &capsule->shell.mesh, capsule->shell.membrane, capsule->layer,
                               &capsule->flow, mobility, keep_volume, &error),
                    STATUS_OK);
+}
+
+/* Inner stages by the coarse rule from now on. */
+static inline void capsule_use_coarse(Capsule *capsule) {
+  Error error;
+  ck_assert_int_eq(coarse_layer_new(&capsule->coarse, &capsule->shell.mesh, NULL, &error), STATUS_OK);
+  ck_assert_int_eq(system_use_coarse(&capsule->system, capsule->coarse, &error), STATUS_OK);
 }
 
 /* A neo-Hookean capsule without damage. */
@@ -37,6 +46,7 @@ static inline void capsule_open(Capsule *capsule, int subdivisions, const double
 static inline void capsule_close(Capsule *capsule) {
   system_free(&capsule->system);
   single_layer_free(capsule->layer);
+  coarse_layer_free(capsule->coarse);
   shell_close(&capsule->shell);
 }
 

@@ -73,6 +73,7 @@ static void hold_target(CoarseLayer *layer, const double *x, const double *q, in
   gather.held = held;
   held->blocks = layer->tree.blocks;
   held->n = 0;
+  held->status = STATUS_OK;
   walk_far(&layer->tree, x, q, p, &gather, &none, &count);
   gather_flush(&gather);
 }

@@ -1,6 +1,7 @@
-/* The single layer for the inner stages of a step (docs/decisions/stages.md): as single_layer.h, to about
- * 1e-3 of the largest velocity and at a fraction of the cost.  What stands for what is settled where the step
- * starts and held, so that u is a smooth function of x and q during the step; sums are in single precision.
+/* The single layer for the inner stages of a step (docs/decisions/stages.md): as single_layer.h, to 1e-3 of
+ * the largest velocity (an ellipsoid of axes 3, 1, 1/3: 1e-2) and at a fraction of the cost.  What stands for
+ * what is settled where the step starts and held, so that u is a smooth function of x and q during the step;
+ * sums are in single precision.
  */
 #ifndef CAPSELLA_FLUID_COARSE_LAYER_H
 #define CAPSELLA_FLUID_COARSE_LAYER_H

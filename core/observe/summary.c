@@ -53,6 +53,7 @@ static void put_cost(Json *json, const Summary *summary) {
   json_integer(json, "steps", summary->steps);
   json_integer(json, "rejected_steps", summary->rejected_steps);
   json_integer(json, "evaluations", summary->evaluations);
+  json_integer(json, "stage_evaluations", summary->stage_evaluations);
   json_number(json, "wall_seconds", summary->wall_seconds);
   json_integer(json, "threads", summary->threads);
   json_integer(json, "elements", summary->elements);

@@ -29,7 +29,8 @@ typedef struct {
   Site rupture;                 /* where, if has_rupture */
   double damaged_area_fraction; /* then, of the reference area with d > 0 */
   double energy_error_max;
-  long long steps, rejected_steps, evaluations;
+  long long steps, rejected_steps;
+  long long evaluations, stage_evaluations; /* of the velocity: all, and those of them by the coarse rule */
   double wall_seconds;
   int threads, elements, nodes;
   /* Scales of a scene with units: metre, second, newton per metre.  All 0 for a dimensionless scene. */

@@ -55,6 +55,7 @@ static size_t restart_items(Motion *motion, RestartItem *items) {
       {.name = "t", .count = 1, .doubles = &motion->t},
       {.name = "last_step", .count = 1, .doubles = &motion->last_step},
       {.name = "evaluations", .count = 1, .integers = &system->evaluations},
+      {.name = "coarse_evaluations", .count = 1, .integers = &system->coarse_evaluations},
   };
   memcpy(items, list, sizeof list);
   return sizeof list / sizeof *list;
@@ -62,6 +63,9 @@ static size_t restart_items(Motion *motion, RestartItem *items) {
 
 static long long evaluations(const Motion *motion) {
   return ((const FlowMotion *)motion)->system->evaluations;
+}
+static long long stage_evaluations(const Motion *motion) {
+  return ((const FlowMotion *)motion)->system->coarse_evaluations;
 }
 static long long rejected(const Motion *motion) {
   return (long long)stepper_of(motion)->memory.rejected_steps;
@@ -78,6 +82,7 @@ void flow_motion(FlowMotion *motion, CoupledSystem *system, Stepper *stepper) {
                .accept = accept,
                .restart_items = restart_items,
                .evaluations = evaluations,
+               .stage_evaluations = stage_evaluations,
                .rejected = rejected,
                .steps = steps,
                .t = stepper->memory.t,

@@ -108,6 +108,7 @@ Status inflation_motion(InflationMotion *motion, const Mesh *mesh, Membrane *mem
                           .accept = accept,
                           .restart_items = restart_items,
                           .evaluations = none,
+                          .stage_evaluations = none,
                           .rejected = none,
                           .steps = steps,
                           .t = path[0][0],

@@ -28,11 +28,12 @@ struct Motion {
   const double *R;  /* [n_nodes][3] internal force at the end of the proposed step */
   double *q;        /* [n_nodes][3] load there */
   long long (*evaluations)(const Motion *motion);
+  long long (*stage_evaluations)(const Motion *motion); /* those of them by the coarse rule */
   long long (*rejected)(const Motion *motion);
   long long (*steps)(const Motion *motion);
 };
 
-enum { MOTION_RESTART_ITEMS = 8 };
+enum { MOTION_RESTART_ITEMS = 9 };
 
 /* Carried by the flow: the stepper does the work and must be started (or restored) before the first proposal.
  */

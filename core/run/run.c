@@ -234,6 +234,7 @@ static Status write_summary(Run *run, Error *error) {
   summary.steps = motion->steps(motion);
   summary.rejected_steps = motion->rejected(motion);
   summary.evaluations = motion->evaluations(motion);
+  summary.stage_evaluations = motion->stage_evaluations(motion);
   summary.wall_seconds = wall_seconds(run);
   summary.threads = omp_get_max_threads();
   TRY(file_join(&path, run->output.folder, "summary.json", error));

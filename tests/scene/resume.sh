@@ -53,6 +53,16 @@ same whole/history.csv longer/history.csv "history after a later end"
 without_cost longer/summary.json >b
 same a b "summary after a later end"
 
+# From the very first snapshot, with the same counts of evaluations.
+cp -r whole anew
+rm anew/summary.json anew/snapshot_00000[1-9].vtkhdf
+"$@" -o anew --resume
+grep -q 'resumed' anew/log.txt || fail "the run was not resumed from its first snapshot"
+[ "$(number anew/summary.json stage_evaluations)" -gt 0 ] || fail "no stage was summed by the coarse rule"
+same whole/history.csv anew/history.csv "history from the first snapshot on"
+without_cost anew/summary.json >b
+same a b "summary from the first snapshot on"
+
 # With other intervals the rows and snapshots that follow are those of the new intervals.
 "$@" -o intervals --set time.end=0.3
 "$@" -o intervals --resume --set output.history_every=0.05 --set output.snapshot_every=0.04

@@ -14,14 +14,19 @@ typedef struct {
   FlowMotion motion;
 } Voyage;
 
-static void voyage_open(Voyage *v, bool start) {
+static void voyage_open_with(Voyage *v, bool is_coarse, bool start) {
   const StepperOptions options = {.integrator = INTEGRATOR_RKC2, .is_auto = true, .tolerance = 1e-4};
   Error error;
   shell_open_damaged(&v->capsule.shell, 1);
   capsule_immerse(&v->capsule, STRONG_SHEAR, 0.5, FLUID_FAST, true);
+  if (is_coarse) capsule_use_coarse(&v->capsule);
   ck_assert_int_eq(stepper_new(&v->stepper, system_rhs(&v->capsule.system), options, &error), STATUS_OK);
   if (start) ck_assert_int_eq(stepper_start(&v->stepper, 0, v->capsule.shell.mesh.X, &error), STATUS_OK);
   flow_motion(&v->motion, &v->capsule.system, &v->stepper);
+}
+
+static void voyage_open(Voyage *v, bool start) {
+  voyage_open_with(v, false, start);
 }
 
 static void voyage_close(Voyage *v) {
@@ -119,29 +124,42 @@ static void restore(Voyage *to, Voyage *from) {
   memcpy(membrane_restored(to->capsule.shell.membrane)->Ymax, membrane_accepted(membrane)->Ymax, bytes);
 }
 
-START_TEST(a_restored_motion_goes_on_bitwise_the_same) {
+/* Restarts at t: both go on to the same bits and the same counts. */
+static void assert_restart(bool is_coarse, double t) {
   Voyage one, two;
-  voyage_open(&one, true);
-  voyage_open(&two, false);
-  go_to(&one, 0.15);
+  voyage_open_with(&one, is_coarse, true);
+  voyage_open_with(&two, is_coarse, false);
+  go_to(&one, t);
   restore(&two, &one);
-  go_to(&one, 0.4);
-  go_to(&two, 0.4);
+  go_to(&one, 0.3);
+  go_to(&two, 0.3);
   ck_assert_double_gt(largest_damage(&one), 0.01);
+  const Motion *first = &one.motion.base, *second = &two.motion.base;
   const size_t bytes = (size_t)one.capsule.shell.n * sizeof(double);
   ck_assert_mem_eq(one.stepper.x, two.stepper.x, bytes);
   ck_assert_mem_eq(one.stepper.v, two.stepper.v, bytes);
-  ck_assert_mem_eq(one.motion.base.q, two.motion.base.q, bytes);
+  ck_assert_mem_eq(first->q, second->q, bytes);
   ck_assert_mem_eq(membrane_accepted(one.capsule.shell.membrane)->d,
                    membrane_accepted(two.capsule.shell.membrane)->d,
                    (size_t)membrane_points(one.capsule.shell.membrane) * sizeof(double));
-  ck_assert_int_eq((int)one.motion.base.steps(&one.motion.base),
-                   (int)two.motion.base.steps(&two.motion.base));
-  ck_assert_int_eq((int)one.motion.base.evaluations(&one.motion.base),
-                   (int)two.motion.base.evaluations(&two.motion.base));
-  ck_assert_double_eq(one.motion.base.last_step, two.motion.base.last_step);
+  ck_assert_int_eq((int)first->steps(first), (int)second->steps(second));
+  ck_assert_int_eq((int)first->evaluations(first), (int)second->evaluations(second));
+  ck_assert_int_eq((int)first->stage_evaluations(first), (int)second->stage_evaluations(second));
+  ck_assert_int_eq(first->stage_evaluations(first) > 0, is_coarse);
+  ck_assert_double_eq(first->last_step, second->last_step);
   voyage_close(&one);
   voyage_close(&two);
+}
+
+START_TEST(a_restored_motion_goes_on_bitwise_the_same) {
+  assert_restart(false, 0.15);
+  assert_restart(true, 0.15);
+}
+END_TEST
+
+START_TEST(a_motion_restored_at_its_start_goes_on_bitwise_the_same) {
+  assert_restart(false, 0);
+  assert_restart(true, 0);
 }
 END_TEST
 
@@ -197,6 +215,7 @@ int main(void) {
   return suite_run("flow_motion", (SuiteTests){positions_and_velocities_are_those_of_the_stepper_at_both_ends,
                                                the_membrane_of_a_proposal_stands_at_its_end,
                                                a_restored_motion_goes_on_bitwise_the_same,
+                                               a_motion_restored_at_its_start_goes_on_bitwise_the_same,
                                                looking_inside_a_step_does_not_change_what_follows,
                                                a_shortened_step_ends_on_the_dense_output, NULL});
 }

@@ -4,17 +4,13 @@
  * Errors are the largest over the nodes, over the largest velocity.  A bound is the sum of two: what the P2
  * surface and load of 1280 elements cost whatever the quadrature (FLOOR, seen with a far finer rule), and
  * what the quadrature of the method may add. */
-#include "base/array.h"
-#include "base/vec3.h"
 #include "fluid/single_layer.h"
-#include "mesh/quadrature.h"
+
+#include "ellipsoid.h"
 #include "suite.h"
-#include <math.h>
 #include <omp.h>
-#include <string.h>
 
 static const double PI = 3.14159265358979323846;
-static const double SPHERE[3] = {1, 1, 1}, CAPSULE[3] = {2, 1, 0.5}, STRETCHED[3] = {3, 1, 1.0 / 3};
 static const FluidMethod METHODS[] = {FLUID_DIRECT, FLUID_FAST, FLUID_REFERENCE};
 enum { N_METHODS = 3, N_SHAPES = 3 };
 static const double *const SHAPES[N_SHAPES] = {SPHERE, CAPSULE, STRETCHED};
@@ -25,94 +21,12 @@ static const double QUADRATURE[][N_SHAPES] = {
     [FLUID_REFERENCE] = {4e-7, 5e-7, 6e-7},
 };
 
-/* An ellipsoid on an icosphere, with a load and the velocity it should give. */
-typedef struct {
-  Mesh mesh;
-  double axis[3];
-  double *x, *q, *u, *expected;
-} Body;
-
-static void body_new(Body *body, int subdivisions, const double axis[3]) {
-  Error error;
-  ck_assert_int_eq(mesh_sphere(&body->mesh, subdivisions, NULL, &error), STATUS_OK);
-  int n = 3 * body->mesh.n_nodes;
-  double **arrays[] = {&body->x, &body->q, &body->u, &body->expected};
-  for (int i = 0; i < 4; i++) ck_assert_int_eq(ARRAY_NEW(arrays[i], n, &error), STATUS_OK);
-  memcpy(body->axis, axis, sizeof body->axis);
-  for (int i = 0; i < n; i++) body->x[i] = axis[i % 3] * body->mesh.X[i];
-}
-
-static void body_free(Body *body) {
-  mesh_free(&body->mesh);
-  array_free(body->x);
-  array_free(body->q);
-  array_free(body->u);
-  array_free(body->expected);
-}
-
 static void body_evaluate(Body *body, FluidMethod method) {
   SingleLayer *layer;
   Error error;
   ck_assert_int_eq(single_layer_new(&layer, &body->mesh, method, &error), STATUS_OK);
   ck_assert_int_eq(single_layer_evaluate(layer, body->x, body->q, body->u, &error), STATUS_OK);
   single_layer_free(layer);
-}
-
-static double largest(int n, const double *v) {
-  double norm = 0;
-  for (int p = 0; p < n; p++) norm = fmax(norm, vec3_norm(v + 3 * p));
-  return norm;
-}
-
-static double body_error(const Body *body) {
-  double error = 0;
-  int n = body->mesh.n_nodes;
-  for (int p = 0; p < n; p++) error = fmax(error, vec3_distance(body->u + 3 * p, body->expected + 3 * p));
-  return error / largest(n, body->expected);
-}
-
-/* Outward unit normal of the ellipsoid at one of its points; returns |(x/A^2, y/B^2, z/C^2)|. */
-static double ellipsoid_normal(const double axis[3], const double *x, double n[3]) {
-  for (int i = 0; i < 3; i++) n[i] = x[i] / (axis[i] * axis[i]);
-  return vec3_normalize(n);
-}
-
-/* chi, alpha_i and C_ij: integrals over s from 0 to infinity, by s = c^2 (1/w^2 - 1) over w from 0 to 1,
- * where the integrands are analytic.  c is the shortest axis. */
-typedef struct {
-  double chi, alpha[3], C[3][3];
-} EllipsoidIntegrals;
-
-static EllipsoidIntegrals ellipsoid_integrals(const double axis[3]) {
-  EllipsoidIntegrals sum = {0};
-  double w[GAUSS_MAX], weight[GAUSS_MAX];
-  gauss_rule(GAUSS_MAX, w, weight);
-  double c = fmin(axis[0], fmin(axis[1], axis[2])), c2 = c * c;
-  for (int k = 0; k < GAUSS_MAX; k++) {
-    double w2 = w[k] * w[k], s = c2 * (1 / w2 - 1), h[3]; /* h_i = w^2 (a_i^2 + s) */
-    for (int i = 0; i < 3; i++) h[i] = axis[i] * axis[i] * w2 + c2 * (1 - w2);
-    double base = weight[k] * 2 * c2 / sqrt(h[0] * h[1] * h[2]);
-    sum.chi += base;
-    for (int i = 0; i < 3; i++) {
-      sum.alpha[i] += base * w2 / h[i];
-      for (int j = 0; j < 3; j++) sum.C[i][j] += base * s * w2 * w2 / (h[i] * h[j]);
-    }
-  }
-  return sum;
-}
-
-/* Load of an ellipsoid in translation and its uniform velocity, for unit force density scale. */
-static void load_translation(Body *body, int direction) {
-  EllipsoidIntegrals I = ellipsoid_integrals(body->axis);
-  const double *a = body->axis;
-  double U = a[0] * a[1] * a[2] / 4 * (I.chi + I.alpha[direction] * a[direction] * a[direction]);
-  for (int p = 0; p < body->mesh.n_nodes; p++) {
-    double n[3], density = 1 / ellipsoid_normal(a, body->x + 3 * p, n);
-    for (int i = 0; i < 3; i++) {
-      body->q[3 * p + i] = i == direction ? density : 0;
-      body->expected[3 * p + i] = i == direction ? U : 0;
-    }
-  }
 }
 
 /* Worst of the three directions. */
@@ -150,21 +64,6 @@ START_TEST(ellipsoid_in_translation_moves_uniformly) {
   }
 }
 END_TEST
-
-/* q = D n with a constant matrix D. */
-static void load_matrix(Body *body, const double D[3][3]) {
-  for (int p = 0; p < body->mesh.n_nodes; p++) {
-    double n[3];
-    ellipsoid_normal(body->axis, body->x + 3 * p, n);
-    for (int i = 0; i < 3; i++) body->q[3 * p + i] = vec3_dot(D[i], n);
-  }
-}
-
-static void expect_matrix(Body *body, const double G[3][3]) {
-  for (int p = 0; p < body->mesh.n_nodes; p++) {
-    for (int i = 0; i < 3; i++) body->expected[3 * p + i] = vec3_dot(G[i], body->x + 3 * p);
-  }
-}
 
 static const double IDENTITY[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
@@ -211,17 +110,6 @@ START_TEST(sphere_has_its_eigenvalues) {
   }
 }
 END_TEST
-
-/* Velocity gradient inside an ellipsoid with q = diag(c) n. */
-static void diagonal_gradient(const double a[3], const double c[3], double G[3][3]) {
-  EllipsoidIntegrals I = ellipsoid_integrals(a);
-  memset(G, 0, 9 * sizeof(double));
-  for (int i = 0; i < 3; i++) {
-    double sum = 2 * c[i] * I.alpha[i];
-    for (int j = 0; j < 3; j++) sum -= c[j] * I.C[i][j] * (i == j ? 3 : 1);
-    G[i][i] = a[0] * a[1] * a[2] / 4 * sum;
-  }
-}
 
 START_TEST(velocity_gradients_of_ellipsoids_agree_with_the_table) {
   static const double prolate[3] = {2, 1, 1}, oblate[3] = {1, 1, 0.5}, c[3] = {1, -0.5, -0.5};

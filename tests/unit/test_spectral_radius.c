@@ -160,6 +160,33 @@ START_TEST(a_refusal_is_passed_on) {
 }
 END_TEST
 
+/* The same rates, from a rule that is asked for differences in place of the equation itself. */
+static long asked_of_the_cheap_rule;
+static Status cheap_stage(void *context, const double *x, double t, double dt, double *f, Error *error) {
+  asked_of_the_cheap_rule++;
+  return decay_evaluate(context, x, t, dt, f, error);
+}
+
+START_TEST(a_cheaper_rule_is_asked_where_there_is_one) {
+  const double rate[3] = {-1, -2, -30}, x[3] = {1, 1, 1};
+  Decay decay = {3, rate};
+  const double f[3] = {-1, -2, -30};
+  const Rhs plain = decay_rhs(&decay);
+  Rhs rhs = plain;
+  rhs.stage = cheap_stage;
+  double direction[3], x_trial[3], f_trial[3], rho;
+  int evaluations = 0;
+  Error error;
+  spectral_radius_seed(3, direction);
+  ck_assert_int_eq(spectral_radius(&rhs, 0, x, f, direction, x_trial, f_trial, &rho, &evaluations, &error),
+                   STATUS_OK);
+  ck_assert_double_eq_tol(rho, 30, 0.01 * 30);
+  ck_assert_int_gt(evaluations, 1);
+  ck_assert_int_eq(evaluations, (int)asked_of_the_cheap_rule);
+  ck_assert_double_eq(rho, estimate_radius(&plain, x).rho);
+}
+END_TEST
+
 static Status constant_evaluate(void *context, const double *x, double t, double dt, double *f,
                                 Error *error) {
   (void)context;
@@ -196,7 +223,7 @@ int main(void) {
                    an_evenly_filled_spectrum_is_found_to_some_per_cent_and_from_below,
                    the_last_direction_saves_most_of_the_work,
                    a_non_linear_equation_is_measured_where_it_stands, the_estimate_is_the_same_every_time,
-                   a_refusal_is_passed_on,
+                   a_refusal_is_passed_on, a_cheaper_rule_is_asked_where_there_is_one,
                    an_equation_that_does_not_depend_on_x_has_radius_zero_and_a_direction_to_go_on_with,
                    the_origin_is_a_place_like_any_other, NULL});
 }

@@ -88,6 +88,89 @@ START_TEST(evaluations_start_from_the_accepted_time_and_the_last_is_at_the_end_o
 }
 END_TEST
 
+/* ---- a cheaper rule for inner stages ---- */
+
+/* The swing with a cheap rule that is exact at the start of the step and falls behind by `slope` times the
+ * way from there; it counts what it is asked. */
+typedef struct {
+  double slope, x0[3], t0;
+  long evaluations, stages, opened;
+  Status refuse_open;
+} Cheap;
+
+static Status cheap_evaluate(void *context, const double *x, double t, double dt, double *f, Error *error) {
+  ((Cheap *)context)->evaluations++;
+  return swing_evaluate(NULL, x, t, dt, f, error);
+}
+
+static Status cheap_open(void *context, const double *x, double t, const double *f, Error *error) {
+  Cheap *cheap = context;
+  double exact[3];
+  cheap->opened++;
+  if (cheap->refuse_open != STATUS_OK) return error_set(error, cheap->refuse_open, "no place to start from");
+  swing_evaluate(NULL, x, t, 0, exact, error);
+  ck_assert_double_lt(largest_difference(3, exact, f), 1e-14);
+  memcpy(cheap->x0, x, sizeof cheap->x0);
+  cheap->t0 = t;
+  return STATUS_OK;
+}
+
+static Status cheap_stage(void *context, const double *x, double t, double dt, double *f, Error *error) {
+  Cheap *cheap = context;
+  cheap->stages++;
+  ck_assert_double_eq(t, cheap->t0); /* the step was opened where it starts */
+  swing_evaluate(NULL, x, t, dt, f, error);
+  for (int i = 0; i < 3; i++) f[i] += cheap->slope * (x[i] - cheap->x0[i]);
+  return STATUS_OK;
+}
+
+static Rhs cheap_rhs(Cheap *cheap) {
+  return (Rhs){
+      .n = 3, .context = cheap, .evaluate = cheap_evaluate, .open_step = cheap_open, .stage = cheap_stage};
+}
+
+START_TEST(a_step_is_opened_once_and_evaluated_in_full_once) {
+  Cheap cheap = {.slope = 0.01};
+  Stepper s = started(cheap_rhs(&cheap), automatic(INTEGRATOR_RKC2, 1e-4), SWING_START);
+  ck_assert_int_eq((int)cheap.evaluations, 1);
+  ck_assert_int_eq((int)cheap.opened, 1); /* the radius is measured by the cheap rule */
+  ck_assert_int_gt((int)cheap.stages, 2);
+  go_to(&s, 2);
+  ck_assert_double_gt(s.memory.steps, 30); /* the radius was measured again on the way */
+  const double trials = s.memory.steps + s.memory.rejected_steps;
+  ck_assert_double_eq((double)cheap.evaluations, 1 + trials);
+  ck_assert_double_eq((double)cheap.opened,
+                      1 + s.memory.steps); /* a rejected trial stands on the same start */
+  stepper_free(&s);
+}
+END_TEST
+
+/* A cheap rule that falls behind by c times the way adds c h^2 / 2 to the end of the step, which the estimate
+ * counts 0.8 times: it is none of a method of order two. */
+START_TEST(the_error_of_a_step_sees_what_the_cheap_rule_lacks) {
+  const double h = 0.05, slopes[] = {0.1, 0.3, 1};
+  for (size_t k = 0; k < sizeof slopes / sizeof *slopes; k++) {
+    Cheap exact = {0}, cheap = {.slope = slopes[k]};
+    Cheap *const rules[] = {&exact, &cheap};
+    double end[2][3], estimate[2];
+    for (int is_cheap = 0; is_cheap < 2; is_cheap++) {
+      Stepper s =
+          started(cheap_rhs(rules[is_cheap]), automatic(INTEGRATOR_RKC2, 1), (const double[3]){1, 0, 1});
+      s.memory.h_next = h;
+      must_propose(&s, 1);
+      ck_assert_double_eq(s.t1, h);
+      memcpy(end[is_cheap], s.x1, sizeof s.x1[0] * 3);
+      estimate[is_cheap] = s.memory.error_before;
+      stepper_free(&s);
+    }
+    const double added = largest_difference(3, end[1], end[0]);
+    ck_assert_double_eq_tol(added / (0.5 * slopes[k] * h * h), 1, 0.05);
+    ck_assert_double_ge(estimate[1], 0.75 * added - estimate[0]);
+    ck_assert_double_le(estimate[1], 0.85 * added + estimate[0]);
+  }
+}
+END_TEST
+
 /* ---- the error ---- */
 
 static double swing_error(IntegratorKind kind, double tolerance) {
@@ -289,6 +372,8 @@ int main(void) {
                               a_fixed_step_divides_an_interval_into_equal_parts,
                               the_last_step_before_a_landing_is_no_crumb,
                               evaluations_start_from_the_accepted_time_and_the_last_is_at_the_end_of_the_step,
+                              a_step_is_opened_once_and_evaluated_in_full_once,
+                              the_error_of_a_step_sees_what_the_cheap_rule_lacks,
                               the_error_follows_the_tolerance, a_sudden_pulse_is_noticed_and_resolved,
                               the_error_of_a_step_is_the_root_mean_square_over_the_nodes,
                               a_rejected_trial_leaves_the_accepted_state_bitwise_alone,
