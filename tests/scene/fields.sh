@@ -34,6 +34,18 @@ runs resumed --set "$(scatter 7)" --set time.end=0.6
 runs resumed --set "$(scatter 7)" --set time.end=1.4 --resume
 same scatter/history.csv resumed/history.csv "history of a resumed run with scatter"
 
+# A law that only looks on may have a strength that scatters, too; the resolved scene judges the same.
+runs watched --set time.end=1.4 --set "observe.criteria=[{law: marigo, parameters: {Y_D: 0.2, ${Y_C##*.}: \
+  {normal: {mean: 2.0, deviation: 0.3}, seed: 3}}}]"
+grep -q '3 of 4 symmetries of mesh and flow: the values of Y_C' watched/summary.json || fail "criterion with scatter"
+"$capsella" run watched/resolved.yaml --quiet -o watched-again
+same watched/criteria.csv watched-again/criteria.csv "criterion with scatter from the resolved scene"
+
+# The number of threads changes nothing.
+runs one --set "$(scatter 7)" --set time.end=0.6 --threads 1
+runs two --set "$(scatter 7)" --set time.end=0.6 --threads 2
+same one/history.csv two/history.csv "histories of one and two threads with scatter"
+
 # A weak spot ruptures where it is: at a point of an element (of size 0.28) whose centre lies in it.
 runs spot --set "$Y_C={around: [0.6, 0.8, 0], radius: 0.3, inside: 0.1, outside: 20}" --set time.end=4 \
   --set capsule.mesh.subdivisions=2
