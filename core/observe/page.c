@@ -5,6 +5,7 @@
 #include <string.h>
 
 static const char MARK[] = "@CAPSELLA_DATA@";
+static const size_t LARGEST_FILE = (size_t)1 << 30;
 
 /* web/report_page.html, ended by a NUL (page_template.S). */
 extern const char page_template[];
@@ -33,12 +34,51 @@ cleanup:
   return status;
 }
 
-Status page_write(const char *folder, const char *data, Error *error) {
+void page_begin(Page *page, const char *kind, const char *folder, Error *error) {
+  *page = (Page){.folder = folder, .error = error};
+  json_begin(&page->json, &page->data, error);
+  json_open_object(&page->json, NULL);
+  json_string(&page->json, "kind", kind);
+  json_string(&page->json, "program", CAPSELLA_VERSION);
+}
+
+void page_free(Page *page) {
+  text_free(&page->data);
+}
+
+Status page_read(const Page *page, const char *name, Text *text) {
+  Text path = {0};
+  Status status = file_join(&path, page->folder, name, page->error);
+  if (status == STATUS_OK && file_exists(path.data))
+    status = file_read(path.data, LARGEST_FILE, text, page->error);
+  text_free(&path);
+  return status;
+}
+
+Status page_put_text(Page *page, const char *key, const char *name) {
+  Text text = {0};
+  const Status status = page_read(page, name, &text);
+  if (status == STATUS_OK) json_string(&page->json, key, text.data);
+  text_free(&text);
+  return status;
+}
+
+Status page_put_json(Page *page, const char *key, const char *name) {
+  Text text = {0};
+  const Status status = page_read(page, name, &text);
+  if (status == STATUS_OK) json_raw(&page->json, key, text.length > 0 ? text.data : "null");
+  text_free(&text);
+  return status;
+}
+
+Status page_end(Page *page) {
   Status status = STATUS_OK;
   Text path = {0}, html = {0};
-  TRY(file_join(&path, folder, "report.html", error));
-  TRY(page_print(data, &html, error));
-  TRY(file_write(path.data, html.data, html.length, error));
+  json_close(&page->json);
+  TRY(json_end(&page->json));
+  TRY(file_join(&path, page->folder, "report.html", page->error));
+  TRY(page_print(page->data.data, &html, page->error));
+  TRY(file_write(path.data, html.data, html.length, page->error));
 cleanup:
   text_free(&path);
   text_free(&html);

@@ -308,6 +308,7 @@ Status study_read(Study *study, const char *path, const char *const *sets, size_
   TRY(entry_check_keys(study->root, KEYS, study->kind->keys, error));
   TRY(read_name(study, error));
   TRY(read_base_scene(study, sets, n_sets, error));
+  if (!study_scene_gives(study, "output.report")) TRY(study_set(study, "output.report", "false", error));
   TRY(read_axes(study, yaml_tree_find(study->root, "vary"), error));
   if (study->kind->prepare) TRY(study->kind->prepare(study, error));
 cleanup:

@@ -2,6 +2,7 @@
 
 #include "base/file.h"
 #include "base/timer.h"
+#include "study/study_page.h"
 
 Status study_write(const StudyRun *run, const char *name, const Text *text, Error *error) {
   Text path = {0};
@@ -51,6 +52,7 @@ static Status work(const StudyOptions *options, const Study *study, const char *
   summarize(&json, end, timer_wall_seconds() - start);
   TRY(json_end(&json));
   TRY(study_write(&run, "summary.json", &text, error));
+  TRY(study_page_write(folder, error));
 cleanup:
   runner_free(run.runner);
   text_free(&text);

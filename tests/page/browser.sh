@@ -1,6 +1,6 @@
 #!/bin/sh
-# report.html in a real browser: it loads without a message on the console, its slider, colours and views change the
-# picture, and the numbers it shows are those of summary.json.  Skipped (77) where there is no Chromium.
+# report.html of runs and of a study in a real browser: it loads without a message on the console, its slider, colours
+# and views change the picture, and the numbers it shows are those of summary.json.  Skipped (77) where there is no Chromium.
 . "$(dirname "$0")/../scene/common.sh"
 
 for name in chromium chromium-browser google-chrome; do
@@ -42,3 +42,16 @@ opens() {
 opens sheared probe_run.js
 "$capsella" run "$root/configs/inflation_monotone.yaml" --quiet -o inflated --set capsule.mesh.subdivisions=1
 opens inflated probe_run.js
+
+cat >study.yaml <<END
+schema: 1
+study: sweep
+name: swept
+scene: $root/configs/shear_quick.yaml
+vary:
+  membrane.damage.parameters.Y_D: [0.1, 0.2]
+  flow.capillary_number: [0.1, 0.5, 4.0]
+END
+"$capsella" study study.yaml --quiet -o swept --set capsule.mesh.subdivisions=1 --set time.end=3 \
+  --set membrane.damage.parameters.Y_C=0.5
+opens swept probe_study.js

@@ -20,6 +20,11 @@ same one/table.csv two/table.csv "the table with other jobs"
 [ "$(wc -l <one/table.csv)" = 5 ] || fail "rows: $(cat one/table.csv)"
 grep -q '^4.0,0.1,"capillary_number=4.0,Y_D=0.1",ruptured,' one/table.csv || fail "no rupture: $(cat one/table.csv)"
 [ -f one/cases/capillary_number=0.5,Y_D=0.1/history.csv ] || fail "a case has no history"
+[ -f one/report.html ] || fail "a study leaves no page"
+[ ! -e one/cases/capillary_number=0.5,Y_D=0.1/report.html ] || fail "a case leaves a page of its own"
+cp one/report.html page.html
+"$capsella" report one
+same one/report.html page.html "report makes another page than the study"
 
 # The runs of a study are those of the same settings.
 "$capsella" run "$root/configs/shear_quick.yaml" --quiet -o alone --set capsule.mesh.subdivisions=1 --set time.end=3 \

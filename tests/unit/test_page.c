@@ -61,23 +61,51 @@ START_TEST(the_licences_of_the_libraries_are_in_the_page) {
 }
 END_TEST
 
-START_TEST(the_file_is_the_page) {
+static void put(const char *name, const char *text) {
   Error error;
-  Text html = printed("{}"), file = {0};
-  ck_assert_int_eq(page_write(scratch_folder, "{}", &error), STATUS_OK);
-  ck_assert_int_eq(file_read(scratch_path("report.html"), (size_t)1 << 24, &file, &error), STATUS_OK);
-  ck_assert_uint_eq(file.length, html.length);
-  ck_assert_mem_eq(file.data, html.data, html.length);
+  ck_assert_int_eq(file_write(scratch_path(name), text, strlen(text), &error), STATUS_OK);
+}
+
+START_TEST(files_of_the_folder_become_members_and_missing_ones_null) {
+  Error error;
+  Page page;
+  Text html = {0};
+  put("table.csv", "a,b\n1,\"2\"\n");
+  put("summary.json", "{\"cases\": 3}\n");
+  page_begin(&page, "study", scratch_folder, &error);
+  ck_assert_int_eq(page_put_text(&page, "table", "table.csv"), STATUS_OK);
+  ck_assert_int_eq(page_put_json(&page, "summary", "summary.json"), STATUS_OK);
+  ck_assert_int_eq(page_put_text(&page, "no text", "missing"), STATUS_OK);
+  ck_assert_int_eq(page_put_json(&page, "no json", "missing"), STATUS_OK);
+  ck_assert_int_eq(page_end(&page), STATUS_OK);
+  page_free(&page);
+  ck_assert_int_eq(file_read(scratch_path("report.html"), (size_t)1 << 24, &html, &error), STATUS_OK);
+  static const char *const members[] = {
+      "\"kind\": \"study\",", "\"table\": \"a,b\\u000a1,\\\"2\\\"\\u000a\",",
+      "\"summary\": {\"cases\": 3}\n,", "\"no text\": null,", "\"no json\": null\n}"};
+  for (size_t k = 0; k < sizeof members / sizeof *members; k++)
+    ck_assert_msg(occurrences(html.data, members[k]) == 1, "%s", members[k]);
   text_free(&html);
-  text_free(&file);
+}
+END_TEST
+
+START_TEST(a_folder_that_cannot_be_written_is_told) {
+  Error error;
+  Page page;
+  page_begin(&page, "run", scratch_path("missing"), &error);
+  ck_assert_int_eq(page_end(&page), STATUS_IO);
+  ck_assert_ptr_nonnull(strstr(error.text, "missing/report.html"));
+  page_free(&page);
 }
 END_TEST
 
 int main(void) {
   if (!scratch_make()) return EXIT_FAILURE;
-  const int result = suite_run(
-      "page", (SuiteTests){the_data_stand_in_their_element, a_name_cannot_end_the_element, nothing_is_loaded,
-                           the_licences_of_the_libraries_are_in_the_page, the_file_is_the_page, NULL});
+  const int result =
+      suite_run("page", (SuiteTests){the_data_stand_in_their_element, a_name_cannot_end_the_element,
+                                     nothing_is_loaded, the_licences_of_the_libraries_are_in_the_page,
+                                     files_of_the_folder_become_members_and_missing_ones_null,
+                                     a_folder_that_cannot_be_written_is_told, NULL});
   scratch_remove();
   return result;
 }

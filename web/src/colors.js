@@ -1,4 +1,4 @@
-// Colour maps that stay legible to colour-blind eyes and in grey, and colours of curves (Okabe and Ito).
+// Colour maps that stay legible to colour-blind eyes and in grey; colours of curves; light and dark.
 const STOPS = {
   viridis: ['440154', '482475', '414487', '355f8d', '2a788e', '21918c', '22a884', '44bf70', '7ad151', 'bddf26', 'fde725'],
   cividis: ['00224e', '123570', '3b496c', '575d6d', '707173', '8a8678', 'a59c74', 'c3b369', 'e1cc55', 'fee838'],
@@ -25,12 +25,15 @@ export function cssColor(map, fraction) {
   return `rgb(${colorAt(map, fraction).map(c => Math.round(255 * c)).join(' ')})`;
 }
 
-const LIGHT = ['#0072b2', '#d55e00', '#00835f', '#a8457f', '#7a6a00'];
-const DARK = ['#56b4e9', '#ff9d4d', '#2fd0a0', '#e79ac6', '#f0e442'];
 export const DASHES = [[], [7, 4], [2, 3], [10, 3, 2, 3], [4, 2]];
 
+// Colours of curves (Okabe and Ito) are variables of the style sheet, which differ in light and dark.
+const CURVE_COLORS = 5;
+
+export const curveColor = k => `var(--curve-${k % CURVE_COLORS})`;
+
 export function curveColors() {
-  return isDark() ? DARK : LIGHT;
+  return Array.from({length: CURVE_COLORS}, (_, k) => cssVariable(`--curve-${k}`));
 }
 
 // ---- light and dark ----

@@ -47,6 +47,27 @@ function uprights(plot, lines, color, dash) {
   ctx.restore();
 }
 
+// Crosses on the points of a line where `crosses` is true.
+function crossOut(plot, lines, colors) {
+  const {ctx} = plot, arm = 5 * devicePixelRatio;
+  ctx.save();
+  ctx.lineWidth = 2 * devicePixelRatio;
+  lines.forEach(({crosses, values}, k) => {
+    ctx.strokeStyle = colors[k % colors.length];
+    crosses?.forEach((isCrossed, i) => {
+      if (!isCrossed || values[i] == null) return;
+      const x = plot.valToPos(plot.data[0][i], 'x', true), y = plot.valToPos(values[i], 'y', true);
+      ctx.beginPath();
+      for (const side of [-1, 1]) {
+        ctx.moveTo(x - arm, y - side * arm);
+        ctx.lineTo(x + arm, y + side * arm);
+      }
+      ctx.stroke();
+    });
+  });
+  ctx.restore();
+}
+
 export class Curves {
   // x: {label, values}; marks: [{x, text}] drawn in every plot; onpick(x): the user chose a place on the axis.
   constructor(x, {marks = [], group, onpick, height = HEIGHT} = {}) {
@@ -56,7 +77,7 @@ export class Curves {
     onTheme(() => this.redraw());
   }
 
-  // lines: [{label, values, points}] over x; log: logarithmic axis of values
+  // lines: [{label, values, points, crosses}] over x: points marks each value, crosses [true where crossed out]; log: logarithmic axis of values
   add(title, lines, {log = false} = {}) {
     const host = h('figure', {class: 'curve'}, h('figcaption', {}, title));
     this.element.append(host);
@@ -85,14 +106,14 @@ export class Curves {
       series: [
         {label: this.x.label, value: (_, value) => format(value, 5)},
         ...lines.map(({label, points}, k) => ({
-          label, stroke: colors[k % colors.length], width: points ? 0 : 1.8, dash: DASHES[k % DASHES.length],
-          paths: points ? () => null : undefined,
+          label, stroke: colors[k % colors.length], width: 1.8, dash: DASHES[k % DASHES.length],
           points: {show: points === true, size: 7, fill: colors[k % colors.length]}, spanGaps: true,
           value: (_, value) => format(value, 5),
         })),
       ],
       hooks: {
         draw: [plot => {
+          crossOut(plot, lines, colors);
           uprights(plot, this.marks, cssVariable('--muted'), [3, 3]);
           if (this.now !== undefined) uprights(plot, [{x: this.now}], cssVariable('--accent'), []);
         }],

@@ -4,12 +4,13 @@ import {fieldsOf} from './fields.js';
 import {Surface, cutsFor} from './surface.js';
 
 export class Model {
-  constructor(data) {
+  // without: names of fields that say nothing in this run
+  constructor(data, without = []) {
     const element = unpackIndices(data.element);
     this.data = data;
     this.frames = data.frames;
     this.surface = new Surface(element, unpack(data.X), cutsFor(element.length / 6));
-    this.fields = fieldsOf(this.frames);
+    this.fields = fieldsOf(this.frames).filter(({id}) => !without.includes(id));
     this.kept = this.frames.map(() => ({}));
     this.ranges = {};
   }

@@ -1,11 +1,10 @@
 // The page of a run.
+import {capsule} from './capsule.js';
 import {Curves} from './curves.js';
 import {table} from './decode.js';
 import {h, section} from './dom.js';
 import {duration, format} from './format.js';
-import {Model} from './model.js';
 import {sortableTable} from './table.js';
-import {Viewer} from './viewer.js';
 
 const DEGREES = 180 / Math.PI;
 
@@ -144,18 +143,11 @@ function curvesOf(data, onpick) {
 // ---- the capsule ----
 
 // Where the membrane ruptured or is damaged most; then, for each criterion that looked on, the same, by its number.
-// Criteria that agree on a place share a mark.
 function marksOf({summary, criteria}) {
   const own = summary?.rupture ? [{label: 'first rupture', X: summary.rupture.X}]
     : summary?.d_max_location ? [{label: 'largest d', X: summary.d_max_location.X}] : [];
-  const places = new Map();
-  criteriaOf(criteria).forEach(({X1, X2, X3, d_max}, k) => {
-    if (!(d_max > 0)) return;
-    const key = [X1, X2, X3].map(value => value.toFixed(3)).join();
-    places.set(key, {X: [X1, X2, X3], numbers: [...(places.get(key)?.numbers ?? []), k + 1]});
-  });
-  const others = [...places.values()].map(({X, numbers}) => ({label: numbers.join(', '), X}));
-  return [...own, ...others];
+  const others = criteriaOf(criteria).map(({X1, X2, X3, d_max}, k) => ({label: String(k + 1), X: [X1, X2, X3], d_max}));
+  return [...own, ...others.filter(({d_max}) => d_max > 0)];
 }
 
 const criteriaOf = csv => (csv ? table(csv).rows : []);
@@ -182,26 +174,8 @@ function criteria(csv) {
     sortableTable(CRITERIA, rows));
 }
 
-// The axis that L3 and e1 refer to: a flow without vorticity has its intermediate axis of strain in its place.
-function axisOf({scene, surface}) {
-  if (!surface.vorticity) return null;
-  const G = scene.gradient, rotates = [[0, 1], [1, 2], [2, 0]].some(([i, j]) => G[3 * i + j] !== G[3 * j + i]);
-  return {direction: surface.vorticity, label: rotates ? 'vorticity' : 'middle axis'};
-}
-
-function viewerOf(data, start) {
-  if (!data.surface) return {element: h('p', {class: 'note'}, 'There is no whole snapshot to draw.')};
-  try {
-    return new Viewer(new Model(data.surface), {
-      marks: marksOf(data), flow: data.scene.flow, axis: axisOf(data), start});
-  } catch (error) {
-    if (!/webgl/i.test(error.message)) throw error;
-    return {element: h('p', {class: 'note'}, 'This browser has no WebGL, which the picture of the capsule needs.')};
-  }
-}
-
 export function runPage(data, start) {
-  const viewer = viewerOf(data, start);
+  const viewer = capsule(data.surface, {...data.scene, marks: marksOf(data), start});
   const curves = curvesOf(data, viewer.showTime && (t => viewer.showTime(t)));
   if (curves && viewer.onframe) viewer.onframe(t => curves.showNow(t));
   return [

@@ -48,7 +48,7 @@ class Pane {
     this.attribute('color', new Float32Array(3 * surface.nVertices).fill(0.5));
     this.geometry.setIndex(new BufferAttribute(surface.triangles, 1));
     const material = new MeshPhongMaterial({
-      vertexColors: true, shininess: 28, specular: new Color('#2a2a2a'),
+      vertexColors: true, shininess: 28, specular: new Color('#181818'),
       polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
     });
     this.body = new Mesh(this.geometry, material);
@@ -71,13 +71,17 @@ class Pane {
     this.geometry.setAttribute(name, new BufferAttribute(values, 3));
   }
 
-  // A dot rides on each of these drawing points.
-  addDots(vertices) {
-    for (const vertex of vertices) {
+  // A dot rides on the drawing point of each mark ({vertex, frame}).
+  addDots(marks) {
+    for (const {vertex, frame} of marks) {
       const object = dot(0.04);
-      this.dots.push({vertex, object});
+      this.dots.push({vertex, frame, object});
       this.scene.add(object);
     }
+  }
+
+  showDots(frame) {
+    for (const one of this.dots) one.object.visible = one.frame === undefined || one.frame === frame;
   }
 
   place(position, normal, center) {

@@ -1,7 +1,7 @@
 // The panel of the capsule: picture, colours, time, views.
 import {MAPS, PLAIN, colorAt, cssGradient, cssVariable, onTheme} from './colors.js';
 import {choice, h, toggle} from './dom.js';
-import {format} from './format.js';
+import {format, ticks} from './format.js';
 import {Scene3d} from './scene3d.js';
 import {Vector3} from 'three';
 
@@ -13,30 +13,25 @@ function tintsOf(map) {
   return Array.from({length: TINTS}, (_, k) => colorAt(map, k / (TINTS - 1)).map(toLinear));
 }
 
-// About `count` round numbers in a range.
-function ticks([low, high], count = 5) {
-  const rough = (high - low) / count, power = 10 ** Math.floor(Math.log10(rough));
-  const step = power * [1, 2, 5, 10].find(factor => factor * power >= rough);
-  const first = Math.ceil(low / step - 1e-9);
-  return Array.from({length: Math.floor(high / step + 1e-9) - first + 1}, (_, k) => Number(((first + k) * step).toPrecision(12)));
-}
+const byNumber = (a, b) => a.localeCompare(b, 'en', {numeric: true});
 
-// Marks on one point share their label.
-function merged(marks) {
-  const points = new Map();
-  for (const mark of marks) {
-    const known = points.get(mark.vertex);
-    points.set(mark.vertex, known ? {...known, label: `${known.label}; ${mark.label}`} : mark);
+// Labels that would lie over each other become one: [{at: {x, y}, labels}].
+function clusters(placed) {
+  const found = [];
+  for (const {at, label} of placed) {
+    const near = found.find(cluster => Math.hypot(cluster.at.x - at.x, cluster.at.y - at.y) < 16);
+    if (near) near.labels.add(label);
+    else found.push({at, labels: new Set([label])});
   }
-  return [...points.values()];
+  return found;
 }
 
 export class Viewer {
-  // marks: [{label, X}], points of the membrane by their reference position; flow: kind of the flow;
+  // marks: [{label, X, frame}], points of the membrane by their reference position, in one frame or (undefined) all; flow: kind of the flow;
   // axis: {direction, label} of the flow, or null; start: wishes from the address ({frame, color, ...})
   constructor(model, {marks, flow, axis, start = {}}) {
     Object.assign(this, {model, flow, axis});
-    this.marks = merged(marks.map(({label, X}) => ({label, X, vertex: model.surface.nearest(X)})));
+    this.marks = marks.map(mark => ({...mark, vertex: model.surface.nearest(mark.X)}));
     const {fields} = model, wanted = fields.find(field => field.id === start.color);
     this.field = wanted ?? (start.color === 'none' ? null : fields[0]);
     this.map = MAPS[0];
@@ -62,8 +57,8 @@ export class Viewer {
     this.labels = h('div', {class: 'labels'});
     this.picture.append(this.labels);
     this.readout = h('output', {class: 'readout'});
-    this.time = h('output', {class: 'time', id: 'time'});
-    this.slider = h('input', {type: 'range', id: 'slider', min: 0, max: last, step: 1, value: this.frame, 'aria-label': 'time',
+    this.time = h('output', {class: `time ${model.frames[0].label ? 'named' : ''}`, id: 'time'});
+    this.slider = h('input', {type: 'range', id: 'slider', min: 0, max: last, step: 1, value: this.frame, 'aria-label': model.frames[0].label ? 'case' : 'time',
       oninput: () => this.show(Number(this.slider.value))});
     this.button = h('button', {class: 'play', 'aria-label': 'play', onclick: () => this.play(!this.timer)}, '▶');
     this.bar = h('div', {class: 'bar'});
@@ -75,7 +70,7 @@ export class Viewer {
           this.paint();
         }),
         choice('map', MAPS.map(name => [name, name]), this.map, name => (this.map = name, this.paint())),
-        choice('range', [['all', 'all times'], ['this', 'this time']], 'all', which => (this.isSameRange = which === 'all', this.paint())),
+        choice('range', [['all', 'all states'], ['this', 'this state']], 'all', which => (this.isSameRange = which === 'all', this.paint())),
         h('span', {class: 'buttons', role: 'group', 'aria-label': 'view'},
           views.map(([name, text]) => h('button', {onclick: () => this.look(name)}, text)))),
       this.picture,
@@ -93,15 +88,14 @@ export class Viewer {
   note() {
     const {frames, snapshots} = this.model.data;
     return `Drag to turn, scroll or pinch to zoom; both capsules are at one scale. Colours are values at the nodes, means over the elements around; d_max is over the integration points. ` +
-      (frames.length < snapshots ? `${frames.length} of ${snapshots} snapshots are in this page, to keep it small.` :
-        `${snapshots} snapshot${snapshots === 1 ? '' : 's'}.`);
+      (frames.length < snapshots ? `${frames.length} of ${snapshots} states are in this page.` : '');
   }
 
   open3d() {
     const {model} = this;
     this.scene = new Scene3d(this.picture, model.surface, model.reach(), () => this.placeLabels());
     this.scene.showReference = true;
-    for (const pane of this.scene.panes) pane.addDots(this.marks.map(({vertex}) => vertex));
+    for (const pane of this.scene.panes) pane.addDots(this.marks);
     const {position, normal} = model.surface.reference;
     this.scene.reference.place(position, normal, [0, 0, 0]);
     this.picture.addEventListener('pointermove', event => this.hover(event));
@@ -120,6 +114,7 @@ export class Viewer {
     const {model, scene} = this;
     this.frame = frame;
     const {t, center, e1, L} = model.frames[frame], {position, normal} = model.shape(frame);
+    for (const pane of scene.panes) pane.showDots(frame);
     scene.deformed.place(position, normal, center);
     const reach = 1.35;
     for (const rod of scene.vorticity) rod.visible = this.axis !== null;
@@ -130,10 +125,16 @@ export class Viewer {
     scene.majorAxis.visible = e1 !== null;
     if (e1) scene.majorAxis.userData.turn(e1, L[0] + 2 * (reach - 1));
     this.slider.value = frame;
-    this.slider.setAttribute('aria-valuetext', `t = ${format(t, 4)}`);
-    this.time.textContent = `t = ${format(t, 5)}`;
+    this.time.textContent = this.title();
+    this.slider.setAttribute('aria-valuetext', this.title());
     this.paint();
     for (const listener of this.listeners) listener(t);
+  }
+
+  // A state is known by its name or by its time.
+  title() {
+    const {t, label} = this.model.frames[this.frame];
+    return label ?? `t = ${format(t, 5)}`;
   }
 
   showReference(on) {
@@ -207,7 +208,7 @@ export class Viewer {
       if (place) this.labels.append(h('span', {class: kind, style: `left: ${place.x}px; top: ${place.y}px`}, text));
     };
     for (const [pane, box] of scene.layout()) {
-      const title = pane === scene.reference ? 'reference shape' : `t = ${format(model.frames[this.frame].t, 5)}`;
+      const title = pane === scene.reference ? 'reference shape' : this.title();
       this.labels.append(h('span', {class: 'title', style: `left: ${box.x + box.width / 2}px; top: ${box.y + box.height - 24}px`}, title));
     }
     const {e1, L} = model.frames[this.frame];
@@ -218,14 +219,22 @@ export class Viewer {
       put(scene.reference, axis.clone().multiplyScalar(-1.5), this.axis.label, 'axis vorticity');
     }
     if (scene.reference.axes.visible && e1) put(scene.deformed, new Vector3(...e1).multiplyScalar(L[0] / 2 + 0.45), 'e₁', 'axis major');
-    for (const {vertex, label} of this.marks)
-      for (const pane of scene.panes) put(pane, pane.point(vertex), label, 'mark');
+    this.placeMarks();
     this.placeTriad();
+  }
+
+  placeMarks() {
+    const {scene} = this, shown = this.marks.filter(({frame}) => frame === undefined || frame === this.frame);
+    for (const pane of scene.panes) {
+      const placed = shown.map(({vertex, label}) => ({label, at: scene.project(pane, pane.point(vertex))}));
+      for (const {at, labels} of clusters(placed.filter(({at}) => at)))
+        this.labels.append(h('span', {class: 'mark', style: `left: ${at.x}px; top: ${at.y}px`}, [...labels].sort(byNumber).join(', ')));
+    }
   }
 
   // Directions of the flow in the corner.
   placeTriad() {
-    const size = 30, corner = {x: 66, y: this.picture.clientHeight - 50};
+    const size = 30, corner = {x: 80, y: this.picture.clientHeight - 50};
     const names = this.flow === 'simple_shear' ? ['x (flow)', 'y', 'z (gradient)'] : ['x', 'y', 'z'];
     const svg = [0, 1, 2].map(k => {
       const p = new Vector3(...[0, 1, 2].map(c => Number(c === k))).applyQuaternion(this.scene.camera.quaternion.clone().invert());
@@ -247,7 +256,7 @@ export class Viewer {
 
   save() {
     this.scene.render();
-    const link = h('a', {href: this.scene.canvas.toDataURL('image/png'), download: `capsule-t${format(this.model.frames[this.frame].t, 4)}.png`});
+    const link = h('a', {href: this.scene.canvas.toDataURL('image/png'), download: `capsule-${this.title().replaceAll(' ', '')}.png`});
     link.click();
   }
 }
