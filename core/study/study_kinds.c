@@ -1,5 +1,6 @@
 /* The kinds of study: one row each. */
 #include "study/compare.h"
 #include "study/sweep.h"
+#include "study/threshold.h"
 
-const StudyKind *const STUDY_KINDS[] = {&COMPARE, &SWEEP, NULL};
+const StudyKind *const STUDY_KINDS[] = {&SWEEP, &THRESHOLD, &COMPARE, NULL};

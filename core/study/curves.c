@@ -1,0 +1,105 @@
+#include "study/curves.h"
+
+#include "base/array.h"
+#include "observe/chart.h"
+#include <math.h>
+#include <string.h>
+
+enum { MOST_SERIES = 24 };
+
+typedef struct {
+  const Study *study;
+  size_t axis, stride; /* that is drawn along; its step in the number of a point */
+  size_t n;            /* values along it */
+  double *y;           /* [MOST_SERIES][n] */
+  Text label[MOST_SERIES];
+  ChartSeries series[MOST_SERIES];
+  size_t n_series;
+} Drawing;
+
+static bool find_axis(Drawing *drawing) {
+  const Study *study = drawing->study;
+  for (size_t a = 0, stride = study->n_points; a < study->n_axes; a++) {
+    const Axis *axis = &study->axes[a];
+    stride /= axis->n;
+    if (!axis->is_numeric || axis->n <= drawing->n || axis->n < 2) continue;
+    drawing->axis = a;
+    drawing->stride = stride;
+    drawing->n = axis->n;
+  }
+  return drawing->n > 0;
+}
+
+static const char *last_name(const char *key) {
+  const char *dot = strrchr(key, '.');
+  return dot ? dot + 1 : key;
+}
+
+/* "Ca_l, Y_C = 2". */
+static Status describe(const Drawing *drawing, const char *name, size_t point, Text *label, Error *error) {
+  Status status = text_append(label, error, "%s", name);
+  size_t stride = drawing->study->n_points;
+  for (size_t a = 0; a < drawing->study->n_axes && status == STATUS_OK; a++) {
+    const Axis *axis = &drawing->study->axes[a];
+    stride /= axis->n;
+    if (a == drawing->axis || axis->n == 1) continue;
+    status = text_append(label, error, "%s%s = %s", label->length ? ", " : "", last_name(axis->key),
+                         axis->values[point / stride % axis->n].value);
+  }
+  return status;
+}
+
+/* A line that another one covers is not drawn twice. */
+static bool is_drawn(const Drawing *drawing, const double *y) {
+  for (size_t i = 0; i < drawing->n_series; i++)
+    if (memcmp(drawing->series[i].y, y, drawing->n * sizeof *y) == 0) return true;
+  return false;
+}
+
+/* The line through the points that share all but the place along the axis with `first`. */
+static Status add_series(Drawing *drawing, const Curve *curve, size_t first, Error *error) {
+  const size_t k = drawing->n_series;
+  double *y = drawing->y + k * drawing->n;
+  bool any = false;
+  for (size_t i = 0; i < drawing->n; i++) {
+    y[i] = curve->values[first + i * drawing->stride];
+    any = any || isfinite(y[i]);
+  }
+  if (!any || is_drawn(drawing, y)) return STATUS_OK;
+  const Status status = describe(drawing, curve->name, first, &drawing->label[k], error);
+  drawing->series[drawing->n_series++] = (ChartSeries){.label = drawing->label[k].data,
+                                                       .x = drawing->study->axes[drawing->axis].numbers,
+                                                       .y = y,
+                                                       .n = drawing->n,
+                                                       .style = CHART_LINE_AND_MARKS};
+  return status;
+}
+
+static bool is_first(const Drawing *drawing, size_t point) {
+  return point / drawing->stride % drawing->n == 0;
+}
+
+Status curves_write(const StudyRun *run, const char *file, const char *y_label, const Curve *curves, size_t n,
+                    Error *error) {
+  Status status = STATUS_OK;
+  Text svg = {0};
+  Drawing drawing = {.study = run->study};
+  if (!find_axis(&drawing)) return STATUS_OK;
+  TRY(ARRAY_NEW(&drawing.y, MOST_SERIES * drawing.n, error));
+  for (size_t c = 0; c < n; c++)
+    for (size_t point = 0; point < run->study->n_points && drawing.n_series < MOST_SERIES; point++)
+      if (is_first(&drawing, point)) TRY(add_series(&drawing, &curves[c], point, error));
+  if (drawing.n_series == 0) goto cleanup;
+  const Chart chart = {.title = run->study->name,
+                       .x = {.label = run->study->axes[drawing.axis].key},
+                       .y = {.label = y_label},
+                       .series = drawing.series,
+                       .n_series = drawing.n_series};
+  TRY(chart_print(&chart, &svg, error));
+  TRY(study_write(run, file, &svg, error));
+cleanup:
+  for (size_t i = 0; i < MOST_SERIES; i++) text_free(&drawing.label[i]);
+  array_free(drawing.y);
+  text_free(&svg);
+  return status;
+}

@@ -1,0 +1,17 @@
+/* A chart of a quantity over the points of a study: against its longest numeric axis, one line for each
+ * combination of the other values. */
+#ifndef CAPSELLA_STUDY_CURVES_H
+#define CAPSELLA_STUDY_CURVES_H
+
+#include "study/study_run.h"
+
+typedef struct {
+  const char *name;     /* in the legend */
+  const double *values; /* [n_points]; what is not finite is left out */
+} Curve;
+
+/* Writes FOLDER/FILE; nothing when no axis has two numbers or there is nothing to draw. */
+Status curves_write(const StudyRun *run, const char *file, const char *y_label, const Curve *curves, size_t n,
+                    Error *error);
+
+#endif
