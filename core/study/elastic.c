@@ -8,7 +8,8 @@
 
 enum { FIRST_TRIALS = 6, KEPT_SETTINGS = 2 /* besides those of the point: the key, and no damage */ };
 
-/* The parabola's root is far better than its distance to the line's: a quarter of the tolerance is safe. */
+/* The parabola's root is far better than its distance to the line's where the curve is smooth: a quarter of
+ * the tolerance is safe there. */
 static const double SHARE = 0.25;
 
 static bool is_of_damage(const Override *setting) {
@@ -84,9 +85,13 @@ static void add_trial(Elastic *elastic, double x) {
   if (elastic->n_trials < ELASTIC_TRIALS) elastic->trial[elastic->n_trials++] = x;
 }
 
+/* A coarse mesh can put a kink into the curve that far samples do not show: one within the tolerance of the
+ * answer must bear it out. */
 static bool is_known(const Elastic *elastic, LevelCrossing crossing) {
   if (isnan(crossing.low) || isnan(crossing.high)) return true; /* never passed in low .. high */
-  return crossing.high - crossing.low <= elastic->tolerance || crossing.error <= SHARE * elastic->tolerance;
+  const double nearest = fmin(crossing.x - crossing.low, crossing.high - crossing.x);
+  return crossing.high - crossing.low <= elastic->tolerance ||
+         (crossing.error <= SHARE * elastic->tolerance && nearest <= elastic->tolerance);
 }
 
 /* One trial in each interval that holds levels not known well enough: at the middle one of them. */

@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-static const double LARGEST = 1e9;
+static const double SMALLEST = 1e-9, LARGEST = 1e9;
 enum { HALVINGS = 100, SCAN = 400 };
 
 /* d at the largest Y so far. */
@@ -23,7 +23,7 @@ static bool is_uniform(const Material *material) {
 /* The Y beyond which the law gives more damage than `level`; LARGEST when none does. */
 static Status find_level(const Material *material, double level, double *Y, Error *error) {
   Status status = STATUS_OK;
-  double low = 0, high = 1e-9, d;
+  double low = 0, high = SMALLEST, d;
   for (;; high *= 2) {
     TRY(damage_at(material, high, &d, error));
     if (d > level || high > LARGEST) break;
@@ -44,8 +44,9 @@ static Status find_severity(const Material *material, double from, double *sever
   double to;
   *severity = from;
   TRY(find_level(material, 0.999, &to, error));
-  for (int k = 1; k <= SCAN; k++) {
-    const double Y = from + (to - from) * k / SCAN;
+  const double start = fmax(from, SMALLEST), ratio = to / start;
+  for (int k = 1; k <= SCAN && ratio > 1; k++) {
+    const double Y = start * pow(ratio, (double)k / SCAN);
     double d;
     TRY(damage_at(material, Y, &d, error));
     *severity = fmax(*severity, (1 - d) * (1 - d) * Y);

@@ -437,6 +437,7 @@ RunnerCount runner_count(const Runner *runner) {
   for (size_t i = 0; i < runner->n; i++) {
     count.cases++;
     count.failed += runner->cases[i]->state == CASE_FAILED;
+    count.evaluations += fmax(0, case_number(runner->cases[i], "evaluations")); /* 0 for NAN */
   }
   return count;
 }

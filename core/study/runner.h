@@ -69,8 +69,9 @@ const Case *runner_case(const Runner *runner, int number);
 /* What there was to do and what has been saved. */
 typedef struct {
   long cases, failed;
-  long shared;     /* requests that another one had made already */
-  long taken_over; /* found on disk */
+  long shared;        /* requests that another one had made already */
+  long taken_over;    /* found on disk */
+  double evaluations; /* of the velocity, in all cases that have ended */
   int jobs;
 } RunnerCount;
 RunnerCount runner_count(const Runner *runner);

@@ -27,6 +27,7 @@ static void summarize(Json *json, const StudyEnd *end, double seconds) {
   json_integer(json, "cases", end->count.cases);
   json_integer(json, "failed", end->count.failed);
   json_integer(json, "shared_requests", end->count.shared);
+  json_number(json, "evaluations", end->count.evaluations);
   json_open_object(json, "this_process");
   json_integer(json, "cases_taken_over", end->count.taken_over);
   json_integer(json, "jobs", end->count.jobs);

@@ -4,14 +4,14 @@
 #include "study/threshold.h"
 
 #include "base/array.h"
-#include "study/curves.h"
 #include "study/decimal.h"
 #include "study/elastic.h"
 #include "study/entry.h"
 #include "study/neighbours.h"
 #include "study/onset.h"
-#include "study/search.h"
+#include "study/study_chart.h"
 #include "study/table.h"
+#include "study/trial_search.h"
 #include <math.h>
 #include <string.h>
 
@@ -422,8 +422,8 @@ static Status draw(const Threshold *threshold, Error *error) {
     curves[t] = (Curve){threshold->plan.target[t].name, values + t * n};
     for (size_t p = 0; p < n; p++) values[t * n + p] = answer_of(threshold, t, p).value;
   }
-  TRY(curves_write(threshold->run, "diagram.svg", threshold->plan.target[0].key, curves,
-                   threshold->plan.n_targets, error));
+  TRY(study_chart_write(threshold->run, "diagram.svg", threshold->plan.target[0].key, curves,
+                        threshold->plan.n_targets, error));
 cleanup:
   array_free(values);
   return status;

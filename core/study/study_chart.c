@@ -1,4 +1,4 @@
-#include "study/curves.h"
+#include "study/study_chart.h"
 
 #include "base/array.h"
 #include "observe/chart.h"
@@ -79,8 +79,8 @@ static bool is_first(const Drawing *drawing, size_t point) {
   return point / drawing->stride % drawing->n == 0;
 }
 
-Status curves_write(const StudyRun *run, const char *file, const char *y_label, const Curve *curves, size_t n,
-                    Error *error) {
+Status study_chart_write(const StudyRun *run, const char *file, const char *y_label, const Curve *curves,
+                         size_t n, Error *error) {
   Status status = STATUS_OK;
   Text svg = {0};
   Drawing drawing = {.study = run->study};

@@ -1,7 +1,7 @@
 /* A chart of a quantity over the points of a study: against its longest numeric axis, one line for each
  * combination of the other values. */
-#ifndef CAPSELLA_STUDY_CURVES_H
-#define CAPSELLA_STUDY_CURVES_H
+#ifndef CAPSELLA_STUDY_STUDY_CHART_H
+#define CAPSELLA_STUDY_STUDY_CHART_H
 
 #include "study/study_run.h"
 
@@ -11,7 +11,7 @@ typedef struct {
 } Curve;
 
 /* Writes FOLDER/FILE; nothing when no axis has two numbers or there is nothing to draw. */
-Status curves_write(const StudyRun *run, const char *file, const char *y_label, const Curve *curves, size_t n,
-                    Error *error);
+Status study_chart_write(const StudyRun *run, const char *file, const char *y_label, const Curve *curves,
+                         size_t n, Error *error);
 
 #endif

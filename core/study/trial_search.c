@@ -1,4 +1,4 @@
-#include "study/search.h"
+#include "study/trial_search.h"
 
 #include "base/array.h"
 #include "study/decimal.h"

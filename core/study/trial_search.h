@@ -1,6 +1,6 @@
 /* The search for one target at one point of a threshold study, by runs of its own. */
-#ifndef CAPSELLA_STUDY_SEARCH_H
-#define CAPSELLA_STUDY_SEARCH_H
+#ifndef CAPSELLA_STUDY_TRIAL_SEARCH_H
+#define CAPSELLA_STUDY_TRIAL_SEARCH_H
 
 #include "study/bracket.h"
 #include "study/target.h"
