@@ -18,6 +18,7 @@ Status system_new(CoupledSystem *system, const Mesh *mesh, Membrane *membrane, S
   TRY(ARRAY_NEW(&system->R, n, error));
   TRY(ARRAY_NEW(&system->q, n, error));
   TRY(ARRAY_NEW(&system->u, n, error));
+  TRY(ARRAY_NEW(&system->A, n, error));
   TRY(ARRAY_NEW(&system->normal, n, error));
 cleanup:
   if (status != STATUS_OK) system_free(system);
@@ -28,6 +29,7 @@ void system_free(CoupledSystem *system) {
   array_free(system->R);
   array_free(system->q);
   array_free(system->u);
+  array_free(system->A);
   array_free(system->normal);
   array_free(system->lack);
   *system = (CoupledSystem){0};
@@ -38,22 +40,30 @@ Status system_use_coarse(CoupledSystem *system, CoarseLayer *coarse, Error *erro
   return ARRAY_NEW(&system->lack, 3 * (size_t)system->mesh->n_nodes, error);
 }
 
-/* Unit normals at x; returns the rate of change of the volume for a unit normal velocity, int n . n dS. */
+static double flux(const CoupledSystem *system, const double *v) {
+  double sum = 0;
+  for (int i = 0; i < 3 * system->mesh->n_nodes; i++) sum += system->A[i] * v[i];
+  return sum;
+}
+
+/* Area vectors and unit normals at x; returns the flux of a unit normal velocity, int n . n dS. */
 static double measure_normals(CoupledSystem *system, const double *x) {
-  surface_orbit_normals(system->mesh, system->symmetry, x, system->normal);
-  return surface_flux(system->mesh, system->symmetry, x, system->normal);
+  surface_area_vectors(system->mesh, system->symmetry, x, system->A);
+  surface_normals(system->mesh, x, system->normal);
+  if (system->symmetry) symmetry_spread(system->symmetry, system->normal);
+  return flux(system, system->normal);
 }
 
 /* v <- v - c n, with c such that int v . n dS = 0. */
 static void remove_mean_flux(CoupledSystem *system, const double *x, double *v) {
-  const double c = surface_flux(system->mesh, system->symmetry, x, v) / measure_normals(system, x);
+  const double unit = measure_normals(system, x), c = flux(system, v) / unit;
   for (int i = 0; i < 3 * system->mesh->n_nodes; i++) v[i] -= c * system->normal[i];
 }
 
 static void restore_volume(CoupledSystem *system, double *x) {
   for (int newton = 0; newton < 2; newton++) { /* from an error e, the second leaves e^4 */
-    const double excess = surface_flux(system->mesh, system->symmetry, x, x) / 3 - system->volume0;
-    const double shift = excess / measure_normals(system, x);
+    const double unit = measure_normals(system, x);
+    const double shift = (flux(system, x) / 3 - system->volume0) / unit;
     for (int i = 0; i < 3 * system->mesh->n_nodes; i++) x[i] -= shift * system->normal[i];
     if (system->symmetry) symmetry_spread(system->symmetry, x);
   }

@@ -28,7 +28,7 @@ typedef struct {
   double volume0;   /* enclosed by the initial surface */
   double *R,
       *q; /* [n_nodes][3] internal force and load of the last evaluation; q starts the next mass solve */
-  double *u, *normal; /* [n_nodes][3] scratch */
+  double *u, *A, *normal; /* [n_nodes][3] scratch */
   /* For the inner stages of a step; NULL where they are summed as all else: */
   CoarseLayer *coarse;
   double *lack; /* [n_nodes][3] what the coarse velocity lacks at the start of the step */

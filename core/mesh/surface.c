@@ -4,6 +4,7 @@
 
 #include "base/vec3.h"
 #include "mesh/p2.h"
+#include "mesh/surface_kernel.h"
 
 #include <string.h>
 
@@ -12,21 +13,57 @@ enum {
   AREA_POINTS = 12,  /* not polynomial: the rule's error stays below that of the P2 geometry */
 };
 
+/* The elements of a sum, all of them or one of each orbit, in blocks of lanes.  The last block repeats an
+ * element. */
+typedef struct {
+  const Mesh *mesh;
+  const Symmetry *symmetry;
+  int n, n_blocks;
+} Elements;
+
+static Elements elements_of(const Mesh *mesh, const Symmetry *symmetry) {
+  const int n = symmetry ? symmetry->elements.n : mesh->n_elements;
+  return (Elements){mesh, symmetry, n, (n + SURFACE_LANES - 1) / SURFACE_LANES};
+}
+
+static int lanes_of(const Elements *elements, int block) {
+  const int left = elements->n - block * SURFACE_LANES;
+  return left < SURFACE_LANES ? left : SURFACE_LANES;
+}
+
+static const int *nodes_of(const Elements *elements, int block, int lane) {
+  const int i = block * SURFACE_LANES + (lane < lanes_of(elements, block) ? lane : 0);
+  return elements->mesh->element[elements->symmetry ? elements->symmetry->elements.representative[i] : i];
+}
+
+/* Members of the orbit of an element. */
+static double size_of(const Elements *elements, int block, int lane) {
+  return elements->symmetry ? elements->symmetry->elements.size[block * SURFACE_LANES + lane] : 1;
+}
+
+static void gather(const Elements *elements, int block, const double *x, SurfaceBlock values) {
+  for (int lane = 0; lane < SURFACE_LANES; lane++) {
+    const int *node = nodes_of(elements, block, lane);
+    for (int k = 0; k < 6; k++)
+      for (int i = 0; i < 3; i++) values[k][i][lane] = x[3 * node[k] + i];
+  }
+}
+
 double surface_flux(const Mesh *mesh, const Symmetry *symmetry, const double *x, const double *v) {
   const P2Table table = p2_table(triangle_rule(VOLUME_POINTS));
-  const int count = symmetry ? symmetry->elements.n : mesh->n_elements;
+  const Elements elements = elements_of(mesh, symmetry);
   double sum = 0.0;
-  for (int i = 0; i < count; i++) {
-    const int *node = mesh->element[symmetry ? symmetry->elements.representative[i] : i];
-    double flux = 0.0;
-    for (int g = 0; g < table.n; g++) {
-      double value[3], a1[3], a2[3], normal[3];
-      p2_interpolate(v, node, table.N[g], value);
-      p2_tangents(x, node, table.dN[g], a1, a2);
-      vec3_cross(a1, a2, normal);
-      flux += table.weight[g] * vec3_dot(value, normal);
+  for (int block = 0; block < elements.n_blocks; block++) {
+    SurfaceBlock positions, A;
+    gather(&elements, block, x, positions);
+    surface_block_area_vectors(&table, positions, A);
+    for (int lane = 0; lane < lanes_of(&elements, block); lane++) {
+      const int *node = nodes_of(&elements, block, lane);
+      double flux = 0.0;
+      for (int k = 0; k < 6; k++)
+        for (int i = 0; i < 3; i++) flux += A[k][i][lane] * v[3 * node[k] + i];
+      sum += size_of(&elements, block, lane) * flux;
     }
-    sum += symmetry ? symmetry->elements.size[i] * flux : flux;
   }
   return sum;
 }
@@ -48,17 +85,19 @@ double surface_area(const Mesh *mesh, const double *x) {
   return sum;
 }
 
-void surface_area_vectors(const Mesh *mesh, const double *x, double *A) {
+void surface_area_vectors(const Mesh *mesh, const Symmetry *symmetry, const double *x, double *A) {
   const P2Table table = p2_table(triangle_rule(VOLUME_POINTS));
+  const Elements elements = elements_of(mesh, symmetry);
   memset(A, 0, 3 * (size_t)mesh->n_nodes * sizeof *A);
-  for (int e = 0; e < mesh->n_elements; e++) {
-    const int *node = mesh->element[e];
-    for (int g = 0; g < table.n; g++) {
-      double a1[3], a2[3], normal[3];
-      p2_tangents(x, node, table.dN[g], a1, a2);
-      vec3_cross(a1, a2, normal);
+  for (int block = 0; block < elements.n_blocks; block++) {
+    SurfaceBlock positions, share;
+    gather(&elements, block, x, positions);
+    surface_block_area_vectors(&table, positions, share);
+    for (int lane = 0; lane < lanes_of(&elements, block); lane++) {
+      const int *node = nodes_of(&elements, block, lane);
+      const double size = size_of(&elements, block, lane);
       for (int k = 0; k < 6; k++)
-        for (int i = 0; i < 3; i++) A[3 * node[k] + i] += table.weight[g] * table.N[g][k] * normal[i];
+        for (int i = 0; i < 3; i++) A[3 * node[k] + i] += size * share[k][i][lane];
     }
   }
 }
@@ -70,30 +109,20 @@ static P2Table node_table(void) {
   return p2_table(&nodes);
 }
 
-static void node_normal(const Mesh *mesh, const P2Table *table, const double *x, int p, double n[3]) {
-  for (int i = 0; i < 3; i++) n[i] = 0.0;
-  for (int k = mesh->node_start[p]; k < mesh->node_start[p + 1]; k++) {
-    double a1[3], a2[3], normal[3];
-    p2_tangents(x, mesh->element[mesh->node_element[k]], table->dN[mesh->node_local[k]], a1, a2);
-    vec3_cross(a1, a2, normal);
-    for (int i = 0; i < 3; i++) n[i] += normal[i];
-  }
-  vec3_normalize(n);
-}
-
-void surface_orbit_normals(const Mesh *mesh, const Symmetry *symmetry, const double *x, double *n) {
-  const P2Table table = node_table();
-  if (!symmetry) {
-    for (int p = 0; p < mesh->n_nodes; p++) node_normal(mesh, &table, x, p, &n[3 * p]);
-    return;
-  }
-  for (int i = 0; i < symmetry->nodes.n; i++) {
-    const int p = symmetry->nodes.representative[i];
-    node_normal(mesh, &table, x, p, &n[3 * p]);
-  }
-  symmetry_spread(symmetry, n);
-}
-
+/* Elements around the nodes of one orbit each are not one of each orbit: all elements are visited. */
 void surface_normals(const Mesh *mesh, const double *x, double *n) {
-  surface_orbit_normals(mesh, NULL, x, n);
+  const P2Table table = node_table();
+  const Elements elements = elements_of(mesh, NULL);
+  memset(n, 0, 3 * (size_t)mesh->n_nodes * sizeof *n);
+  for (int block = 0; block < elements.n_blocks; block++) {
+    SurfaceBlock positions, normal;
+    gather(&elements, block, x, positions);
+    surface_block_normals(&table, positions, normal);
+    for (int lane = 0; lane < lanes_of(&elements, block); lane++) {
+      const int *node = nodes_of(&elements, block, lane);
+      for (int k = 0; k < 6; k++)
+        for (int i = 0; i < 3; i++) n[3 * node[k] + i] += normal[k][i][lane];
+    }
+  }
+  for (int p = 0; p < mesh->n_nodes; p++) vec3_normalize(&n[3 * p]);
 }

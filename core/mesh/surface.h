@@ -10,9 +10,10 @@
 double surface_volume(const Mesh *mesh, const double *x);
 double surface_area(const Mesh *mesh, const double *x);
 
-/* Area vectors A_p = int N_p n dS, [n_nodes][3]: the exact gradient of the volume, so that dV/dt = sum_p v_p
- * . A_p. */
-void surface_area_vectors(const Mesh *mesh, const double *x, double *A);
+/* Area vectors A_p = int N_p n dS, [n_nodes][3]: the exact gradient of the volume, so that the flux of a
+ * nodal field is sum_p v_p . A_p.  With a symmetry the sum holds for fields that have it, and A is not zero
+ * at the nodes of one element of each orbit only; NULL: none. */
+void surface_area_vectors(const Mesh *mesh, const Symmetry *symmetry, const double *x, double *A);
 
 /* Outward unit normals at the nodes, averaged over the elements around each, [n_nodes][3]. */
 void surface_normals(const Mesh *mesh, const double *x, double *n);
@@ -21,8 +22,5 @@ void surface_normals(const Mesh *mesh, const double *x, double *n);
  * x itself is three times the volume.  With a symmetry that x and v have, one element of each orbit is
  * enough; NULL: none. */
 double surface_flux(const Mesh *mesh, const Symmetry *symmetry, const double *x, const double *v);
-
-/* surface_normals for positions that have a symmetry, from one node of each orbit; NULL: none. */
-void surface_orbit_normals(const Mesh *mesh, const Symmetry *symmetry, const double *x, double *n);
 
 #endif

@@ -185,7 +185,7 @@ static void inflation_averages(const Record *record, HistoryRow *row) {
     if (points.d) damaged += points.d[k] * points.J[k] * points.dS0[k];
   }
   double *A = record->area_vector;
-  surface_area_vectors(&s->mesh, record->x, A);
+  surface_area_vectors(&s->mesh, NULL, record->x, A);
   for (int i = 0; i < 3 * s->mesh.n_nodes; i++) load += s->motion->q[i] * A[i];
   row->p = load / area / s->material.shear_modulus;
   row->d = damaged / area;

@@ -80,7 +80,7 @@ START_TEST(area_vectors_are_the_gradient_of_the_volume) {
   Mesh mesh = sphere(1);
   double *x = stretched(&mesh, (const double[3]){1.7, 1.1, 0.6}, (const double[3]){0.1, 0.2, -0.3});
   double *A = malloc(3 * (size_t)mesh.n_nodes * sizeof *A);
-  surface_area_vectors(&mesh, x, A);
+  surface_area_vectors(&mesh, NULL, x, A);
   const double h = 1e-2; /* the volume is cubic: central differences err by h^2 V'''/6, and V''' = 0 in one
                             coordinate of one node; what remains is round-off, 1e-15/h */
   for (int k = 0; k < 3 * mesh.n_nodes; k++) {
@@ -102,7 +102,7 @@ START_TEST(area_vectors_sum_to_zero_and_give_three_times_the_volume) {
   Mesh mesh = sphere(3);
   double *x = stretched(&mesh, (const double[3]){2.0, 1.0, 0.5}, (const double[3]){0.5, 0.0, 0.0});
   double *A = malloc(3 * (size_t)mesh.n_nodes * sizeof *A);
-  surface_area_vectors(&mesh, x, A);
+  surface_area_vectors(&mesh, NULL, x, A);
   double sum[3] = {0.0, 0.0, 0.0}, moment = 0.0;
   for (int p = 0; p < mesh.n_nodes; p++) {
     for (int i = 0; i < 3; i++) sum[i] += A[3 * p + i];
