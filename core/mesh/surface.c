@@ -9,8 +9,9 @@
 #include <string.h>
 
 enum {
-  VOLUME_POINTS = 6, /* degree 4: exact for the volume and its gradient */
-  AREA_POINTS = 12,  /* not polynomial: the rule's error stays below that of the P2 geometry */
+  VOLUME_POINTS = 6,  /* degree 4: exact for the volume and its gradient */
+  AREA_POINTS = 12,   /* not polynomial: the rule's error stays below that of the P2 geometry */
+  MOMENT_POINTS = 16, /* degree 8: exact for the second moments */
 };
 
 /* The elements of a sum, all of them or one of each orbit, in blocks of lanes.  The last block repeats an
@@ -74,15 +75,34 @@ double surface_volume(const Mesh *mesh, const double *x) {
 
 double surface_area(const Mesh *mesh, const double *x) {
   const P2Table table = p2_table(triangle_rule(AREA_POINTS));
+  const Elements elements = elements_of(mesh, NULL);
   double sum = 0.0;
-  for (int e = 0; e < mesh->n_elements; e++)
-    for (int g = 0; g < table.n; g++) {
-      double a1[3], a2[3], normal[3];
-      p2_tangents(x, mesh->element[e], table.dN[g], a1, a2);
-      vec3_cross(a1, a2, normal);
-      sum += table.weight[g] * vec3_norm(normal);
-    }
+  for (int block = 0; block < elements.n_blocks; block++) {
+    SurfaceBlock positions;
+    double area[SURFACE_LANES];
+    gather(&elements, block, x, positions);
+    surface_block_areas(&table, positions, area);
+    for (int lane = 0; lane < lanes_of(&elements, block); lane++) sum += area[lane];
+  }
   return sum;
+}
+
+SurfaceMoments surface_moments(const Mesh *mesh, const double *x, const double origin[3]) {
+  const P2Table table = p2_table(triangle_rule(MOMENT_POINTS));
+  const Elements elements = elements_of(mesh, NULL);
+  double sum[SURFACE_MOMENTS] = {0};
+  for (int block = 0; block < elements.n_blocks; block++) {
+    SurfaceBlock positions;
+    double moment[SURFACE_MOMENTS][SURFACE_LANES];
+    gather(&elements, block, x, positions);
+    surface_block_moments(&table, positions, origin, moment);
+    for (int k = 0; k < SURFACE_MOMENTS; k++)
+      for (int lane = 0; lane < lanes_of(&elements, block); lane++) sum[k] += moment[k][lane];
+  }
+  SurfaceMoments moments = {.volume = sum[0]};
+  memcpy(moments.first, sum + 1, sizeof moments.first);
+  memcpy(moments.second, sum + 4, sizeof moments.second);
+  return moments;
 }
 
 void surface_area_vectors(const Mesh *mesh, const Symmetry *symmetry, const double *x, double *A) {

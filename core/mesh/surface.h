@@ -10,6 +10,15 @@
 double surface_volume(const Mesh *mesh, const double *x);
 double surface_area(const Mesh *mesh, const double *x);
 
+/* Moments of the enclosed volume about a point, exact, by the divergence theorem: with y = x - origin,
+ * div y = 3, div (y y_i) = 4 y_i, div (y y_i y_j) = 5 y_i y_j. */
+typedef struct {
+  double volume;
+  double first[3];
+  double second[6]; /* xx, xy, xz, yy, yz, zz */
+} SurfaceMoments;
+SurfaceMoments surface_moments(const Mesh *mesh, const double *x, const double origin[3]);
+
 /* Area vectors A_p = int N_p n dS, [n_nodes][3]: the exact gradient of the volume, so that the flux of a
  * nodal field is sum_p v_p . A_p.  With a symmetry the sum holds for fields that have it, and A is not zero
  * at the nodes of one element of each orbit only; NULL: none. */

@@ -3,22 +3,12 @@
 
 #include "base/vec3.h"
 #include "linalg/eigen.h"
-#include "mesh/p2.h"
 #include "mesh/surface.h"
 
 #include <stdbool.h>
 
-enum { MOMENT_POINTS = 16 }; /* degree 8: exact for the second moments */
-
 /* Below this D12 the direction of e1 is round-off. */
 static const double ROUND_SHAPE = 1e-10;
-
-/* Moments of the enclosed volume about a point. */
-typedef struct {
-  double volume;
-  double first[3];
-  double second[6]; /* xx, xy, xz, yy, yz, zz */
-} Moments;
 
 static void mean_position(const Mesh *mesh, const double *x, double mean[3]) {
   for (int i = 0; i < 3; i++) mean[i] = 0.0;
@@ -26,30 +16,8 @@ static void mean_position(const Mesh *mesh, const double *x, double mean[3]) {
     for (int i = 0; i < 3; i++) mean[i] += x[3 * p + i] / mesh->n_nodes;
 }
 
-/* With div y = 3, div (y y_i) = 4 y_i, div (y y_i y_j) = 5 y_i y_j and y = x - origin. */
-static Moments volume_moments(const Mesh *mesh, const double *x, const double origin[3]) {
-  const P2Table table = p2_table(triangle_rule(MOMENT_POINTS));
-  Moments moments = {0};
-  for (int e = 0; e < mesh->n_elements; e++)
-    for (int g = 0; g < table.n; g++) {
-      double y[3], a1[3], a2[3], normal[3];
-      p2_interpolate(x, mesh->element[e], table.N[g], y);
-      p2_tangents(x, mesh->element[e], table.dN[g], a1, a2);
-      vec3_subtract(y, origin, y);
-      vec3_cross(a1, a2, normal);
-      double flux = table.weight[g] * vec3_dot(y, normal);
-      moments.volume += flux / 3.0;
-      double *second = moments.second;
-      for (int i = 0; i < 3; i++) {
-        moments.first[i] += flux * y[i] / 4.0;
-        for (int j = i; j < 3; j++) *second++ += flux * y[i] * y[j] / 5.0;
-      }
-    }
-  return moments;
-}
-
 /* Moves second moments from the origin to the centre of the volume, at `center` from there. */
-static void move_to_center(Moments *moments, const double center[3]) {
+static void move_to_center(SurfaceMoments *moments, const double center[3]) {
   double *second = moments->second;
   for (int i = 0; i < 3; i++)
     for (int j = i; j < 3; j++) *second++ -= moments->volume * center[i] * center[j];
@@ -102,7 +70,7 @@ Status shape_measure(const Mesh *mesh, const double *x, const double vorticity_a
                      Error *error) {
   double origin[3], center[3], value[3], vector[3][3], semi_axis[3];
   mean_position(mesh, x, origin); /* near the centre, so that moving the moments loses no digits */
-  Moments moments = volume_moments(mesh, x, origin);
+  SurfaceMoments moments = surface_moments(mesh, x, origin);
   for (int i = 0; i < 3; i++) {
     center[i] = moments.first[i] / moments.volume;
     shape->center[i] = origin[i] + center[i];
@@ -118,7 +86,7 @@ Status shape_measure(const Mesh *mesh, const double *x, const double vorticity_a
         error, STATUS_REJECT,
         "shape of the capsule: expected a positive volume and positive second moments, found %g and %g",
         moments.volume, value[0]);
-  shape->volume = surface_volume(mesh, x);
+  shape->volume = moments.volume;
   shape->area = surface_area(mesh, x);
   for (int k = 0; k < 3; k++) semi_axis[k] = sqrt(5.0 * value[k] / moments.volume);
   name_axes(semi_axis, vector, vorticity_axis, shape);
