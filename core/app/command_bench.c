@@ -1,7 +1,7 @@
 /* capsella bench: run time against error on this machine, as a page of Markdown with pictures. */
 #include "app/commands.h"
 #include "base/file.h"
-#include "study/benchmark_page.h"
+#include "benchmark/benchmark_page.h"
 #include <mlaw/mlaw.h>
 #include <stdio.h>
 #include <string.h>

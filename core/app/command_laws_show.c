@@ -2,7 +2,7 @@
 #include "app/commands.h"
 #include "base/text.h"
 #include "laws/material.h"
-#include "study/law_timing.h"
+#include "benchmark/law_timing.h"
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>

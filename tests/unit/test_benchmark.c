@@ -1,6 +1,6 @@
 /* What the benchmark counts and how far its results are off: no seconds are asserted, so that a regression of
  * cost or of accuracy cannot land unseen whatever the machine. */
-#include "study/benchmark.h"
+#include "benchmark/benchmark.h"
 #include "suite.h"
 #include <math.h>
 #include <stdio.h>

@@ -1,5 +1,5 @@
 /* The cost of laws: that it is measured and told for every law that ships; what it is, is no test. */
-#include "study/law_timing.h"
+#include "benchmark/law_timing.h"
 
 #include "law_scene.h"
 #include "suite.h"

@@ -1,5 +1,5 @@
 /* The cost of a whole program. */
-#include "study/process.h"
+#include "benchmark/process.h"
 
 #include "suite.h"
 #include <string.h>

@@ -1,5 +1,5 @@
 /* Tables and picture of run time against error, from a grid made up by hand. */
-#include "study/work_page.h"
+#include "benchmark/work_page.h"
 
 #include "markup.h"
 #include "suite.h"

@@ -1,5 +1,5 @@
 /* What is concluded from a grid of run time against error; the runs themselves are those of the benchmark. */
-#include "study/work_precision.h"
+#include "benchmark/work_precision.h"
 
 #include "suite.h"
 #include <math.h>

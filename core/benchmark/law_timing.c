@@ -1,4 +1,4 @@
-#include "study/law_timing.h"
+#include "benchmark/law_timing.h"
 
 #include "base/array.h"
 #include "base/timer.h"

@@ -1,10 +1,10 @@
 /* A measured grid of run time against error as tables in Markdown and as a picture. */
-#ifndef CAPSELLA_STUDY_WORK_PAGE_H
-#define CAPSELLA_STUDY_WORK_PAGE_H
+#ifndef CAPSELLA_BENCHMARK_WORK_PAGE_H
+#define CAPSELLA_BENCHMARK_WORK_PAGE_H
 
 #include "base/status.h"
 #include "base/text.h"
-#include "study/work_precision.h"
+#include "benchmark/work_precision.h"
 
 /* The least CPU seconds to errors in shape of 1e-2, 1e-3 and 1e-4, and the knobs that they take. */
 Status work_print_choices(const WorkPrecision *work, Text *markdown, Error *error);

@@ -1,10 +1,10 @@
 /* What the files that write the page of benchmarks share. */
-#ifndef CAPSELLA_STUDY_BENCHMARK_PRIVATE_H
-#define CAPSELLA_STUDY_BENCHMARK_PRIVATE_H
+#ifndef CAPSELLA_BENCHMARK_BENCHMARK_PRIVATE_H
+#define CAPSELLA_BENCHMARK_BENCHMARK_PRIVATE_H
 
-#include "study/benchmark.h"
-#include "study/benchmark_page.h"
-#include "study/work_precision.h"
+#include "benchmark/benchmark.h"
+#include "benchmark/benchmark_page.h"
+#include "benchmark/work_precision.h"
 
 enum { ELASTIC, DAMAGE, N_CASES = BENCHMARK_PICTURES };
 enum { BENCHMARK_THREADS = 2 };

@@ -1,6 +1,6 @@
 /* What it costs to call a law through the plugin interface: nanoseconds for each point of a batch. */
-#ifndef CAPSELLA_STUDY_LAW_TIMING_H
-#define CAPSELLA_STUDY_LAW_TIMING_H
+#ifndef CAPSELLA_BENCHMARK_LAW_TIMING_H
+#define CAPSELLA_BENCHMARK_LAW_TIMING_H
 
 #include "base/status.h"
 #include "base/text.h"

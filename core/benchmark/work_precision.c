@@ -1,4 +1,4 @@
-#include "study/work_precision.h"
+#include "benchmark/work_precision.h"
 
 #include <math.h>
 #include <stdio.h>

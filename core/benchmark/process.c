@@ -1,4 +1,4 @@
-#include "study/process.h"
+#include "benchmark/process.h"
 
 #include "base/array.h"
 #include "base/timer.h"

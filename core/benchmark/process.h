@@ -1,6 +1,6 @@
 /* What a run of a whole program costs, from its start to its end. */
-#ifndef CAPSELLA_STUDY_PROCESS_H
-#define CAPSELLA_STUDY_PROCESS_H
+#ifndef CAPSELLA_BENCHMARK_PROCESS_H
+#define CAPSELLA_BENCHMARK_PROCESS_H
 
 #include "base/status.h"
 

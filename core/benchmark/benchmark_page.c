@@ -1,8 +1,8 @@
-#include "study/benchmark_page.h"
+#include "benchmark/benchmark_page.h"
 
 #include "base/array.h"
-#include "study/benchmark_private.h"
-#include "study/work_page.h"
+#include "benchmark/benchmark_private.h"
+#include "benchmark/work_page.h"
 #include <math.h>
 
 const char *const benchmark_picture_names[N_CASES] = {"benchmarks-elastic.svg", "benchmarks-damage.svg"};

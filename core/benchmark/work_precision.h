@@ -1,10 +1,10 @@
 /* Run time against error: one case on a grid of mesh, method, integrator and tolerance, each point compared
  * with a run on a finer mesh, and the choices that follow from it. */
-#ifndef CAPSELLA_STUDY_WORK_PRECISION_H
-#define CAPSELLA_STUDY_WORK_PRECISION_H
+#ifndef CAPSELLA_BENCHMARK_WORK_PRECISION_H
+#define CAPSELLA_BENCHMARK_WORK_PRECISION_H
 
 #include "base/status.h"
-#include "study/benchmark.h"
+#include "benchmark/benchmark.h"
 #include <stdbool.h>
 #include <stddef.h>
 

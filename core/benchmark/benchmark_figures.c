@@ -1,8 +1,8 @@
 /* Sections of the page of benchmarks: what `accuracy` gives, and figures of one line each. */
 #include "base/array.h"
 #include "base/file.h"
-#include "study/benchmark_private.h"
-#include "study/process.h"
+#include "benchmark/benchmark_private.h"
+#include "benchmark/process.h"
 #include <math.h>
 #include <stdlib.h>
 

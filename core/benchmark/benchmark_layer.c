@@ -1,9 +1,9 @@
 /* Accuracy of the single layer against the exact solution of a rigid ellipsoid in translation. */
 #include "base/array.h"
+#include "benchmark/benchmark.h"
 #include "fluid/single_layer.h"
 #include "mesh/mesh.h"
 #include "mesh/quadrature.h"
-#include "study/benchmark.h"
 #include <math.h>
 #include <string.h>
 

@@ -1,4 +1,4 @@
-#include "study/work_page.h"
+#include "benchmark/work_page.h"
 
 #include "observe/chart.h"
 #include <math.h>

@@ -1,6 +1,6 @@
 /* The page of benchmarks: what is measured, in which order, and how it is told. */
-#ifndef CAPSELLA_STUDY_BENCHMARK_PAGE_H
-#define CAPSELLA_STUDY_BENCHMARK_PAGE_H
+#ifndef CAPSELLA_BENCHMARK_BENCHMARK_PAGE_H
+#define CAPSELLA_BENCHMARK_BENCHMARK_PAGE_H
 
 #include "base/status.h"
 #include "base/text.h"

@@ -1,4 +1,4 @@
-#include "study/benchmark.h"
+#include "benchmark/benchmark.h"
 
 #include "base/array.h"
 #include "base/timer.h"

@@ -1,6 +1,6 @@
 /* Sections of the page of benchmarks: the single layer, one evaluation, a law. */
-#include "study/benchmark_private.h"
-#include "study/law_timing.h"
+#include "benchmark/benchmark_private.h"
+#include "benchmark/law_timing.h"
 #include <string.h>
 
 /* ---- the single layer ---- */

@@ -1,7 +1,7 @@
 /* Run time against error: single evaluations and whole runs of the reference case, measured in this process,
  * one after the other, so that their ratios hold on a noisy machine. */
-#ifndef CAPSELLA_STUDY_BENCHMARK_H
-#define CAPSELLA_STUDY_BENCHMARK_H
+#ifndef CAPSELLA_BENCHMARK_BENCHMARK_H
+#define CAPSELLA_BENCHMARK_BENCHMARK_H
 
 #include "base/status.h"
 #include "base/text.h"
