@@ -217,7 +217,8 @@ static size_t restart_items(Output *output, Simulation *s, Record *record, Resta
   return n;
 }
 
-void output_nodal_fields(Output *output, const Simulation *s) {
+/* Fields at the nodes, of the membrane's last evaluation, into output->d, Y, T1, T2. */
+static void nodal_fields(Output *output, const Simulation *s) {
   const double G = s->material.shear_modulus;
   const int points = membrane_points(s->membrane), nodes = s->mesh.n_nodes;
   const MembranePoints view = membrane_points_view(s->membrane);
@@ -241,7 +242,7 @@ Status output_snapshot(Output *output, Simulation *s, Record *record, Error *err
   const int number =
       (int)output->snapshot_number++; /* counted first: the file names the one that comes next */
   TRY(record_probe(record, s->motion->t, error));
-  output_nodal_fields(output, s);
+  nodal_fields(output, s);
   TRY(history_sync(&output->history, error));
   const SnapshotField fields[] = {
       {.name = "q", .components = 3, .values = s->motion->q},
@@ -287,7 +288,8 @@ cleanup:
   return status;
 }
 
-Status output_restore(Output *output, Simulation *s, Record *record, Log *log, int *number, Error *error) {
+/* `number` is -1 when there is no snapshot. */
+static Status restore(Output *output, Simulation *s, Record *record, Log *log, int *number, Error *error) {
   Status status = STATUS_OK;
   Text snapshot = {0};
   RestartItem items[MAX_RESTART_ITEMS];
@@ -304,7 +306,7 @@ Status output_resume(Output *output, Simulation *s, Record *record, Log *log, bo
   Status status = STATUS_OK;
   Text history = {0};
   int number;
-  TRY(output_restore(output, s, record, log, &number, error));
+  TRY(restore(output, s, record, log, &number, error));
   *found = number >= 0;
   if (!*found) goto cleanup;
   output->last_snapshot_t = s->motion->t;

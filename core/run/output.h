@@ -41,16 +41,8 @@ Status output_row(Output *output, const HistoryRow *row, Error *error);
 /* The accepted state, with the record's probe there. */
 Status output_snapshot(Output *output, Simulation *simulation, Record *record, Error *error);
 
-/* Fields at the nodes, of the membrane's last evaluation, into output->d, Y, T1, T2. */
-void output_nodal_fields(Output *output, const Simulation *simulation);
-
-/* Restores simulation and record from the newest whole snapshot of the folder; `number` is -1 when there is
- * none. */
-Status output_restore(Output *output, Simulation *simulation, Record *record, Log *log, int *number,
-                      Error *error);
-
-/* The same, and takes up history and series where that snapshot stands.  `found` is false when there is no
- * snapshot: the run then starts anew. */
+/* Restores simulation and record from the newest whole snapshot of the folder, and takes up history and
+ * series where that stands.  `found` is false when there is none: the run then starts anew. */
 Status output_resume(Output *output, Simulation *simulation, Record *record, Log *log, bool *found,
                      Error *error);
 

@@ -1,20 +1,21 @@
 #include "run/report.h"
 
 #include "base/file.h"
+#include "config/scene.h"
 #include "observe/picture.h"
-#include "run/output.h"
-#include "run/record.h"
+#include "observe/snapshot.h"
 #include "run/run_page.h"
-#include "run/simulation.h"
 
-static Status draw(Output *output, const Simulation *s, const Record *record, Text *svg, Error *error) {
-  output_nodal_fields(output, s);
-  const bool damaged = material_has_damage(&s->material);
+static Status draw(const SnapshotGrid *grid, bool is_damaged, Text *svg, Error *error) {
+  const Mesh mesh = {.n_nodes = grid->n_nodes, .n_elements = grid->n_elements, .element = grid->element};
+  const GridField *x = snapshot_grid_find(grid, "x"),
+                  *field = snapshot_grid_find(grid, is_damaged ? "d" : "Y");
+  if (!x || !field) return error_set(error, STATUS_IO, "expected the fields x, Y and d, found others");
   const Picture picture = {
-      .mesh = &s->mesh,
-      .x = record->x,
-      .field = damaged ? output->d : output->Y,
-      .label = damaged ? "damage d" : "energy release rate Y / G_s",
+      .mesh = &mesh,
+      .x = x->values,
+      .field = field->values,
+      .label = is_damaged ? "damage d" : "energy release rate Y / G_s",
       .views = picture_shear_views,
       .n_views = 2,
       .axes = picture_shear_axes,
@@ -23,37 +24,41 @@ static Status draw(Output *output, const Simulation *s, const Record *record, Te
   return picture_print(&picture, svg, error);
 }
 
-Status report_folder(const char *folder, Text *written, Error *error) {
-  Status status = STATUS_OK;
-  Text scene_path = {0}, svg = {0};
-  Scene scene = {0};
-  Simulation simulation = {0};
-  Record record = {0};
-  Output output = {0};
+static Status find_newest(const char *folder, Text *path, Error *error) {
   int number;
+  const Status status = snapshot_find_newest(folder, path, &number, NULL, error);
+  if (status != STATUS_OK || number >= 0) return status;
+  return error_set(error, STATUS_INPUT, "%s: expected a snapshot of a run, found none that is whole", folder);
+}
+
+static Status draw_newest(const char *folder, Text *svg, Error *error) {
+  Status status = STATUS_OK;
+  Text scene_path = {0}, path = {0};
+  Scene scene = {0};
+  SnapshotGrid grid = {0};
   TRY(file_join(&scene_path, folder, "resolved.yaml", error));
   TRY(scene_read(&scene, scene_path.data, NULL, 0, error));
-  TRY(simulation_new(&simulation, &scene, NULL, error));
-  TRY(record_new(&record, &simulation, error));
-  TRY(output_open(&output, folder, &simulation, error));
-  TRY(output_restore(&output, &simulation, &record, NULL, &number, error));
-  if (number < 0) {
-    status =
-        error_set(error, STATUS_INPUT, "%s: expected a snapshot of a run, found none that is whole", folder);
-    goto cleanup;
-  }
-  TRY(record_begin(&record, true, error));
-  TRY(draw(&output, &simulation, &record, &svg, error));
+  TRY(find_newest(folder, &path, error));
+  TRY(snapshot_read_grid(path.data, &grid, error));
+  status = draw(&grid, scene.membrane.has_damage, svg, error);
+  if (status != STATUS_OK) error_prefix(error, "%s: ", path.data);
+cleanup:
+  snapshot_grid_free(&grid);
+  scene_free(&scene);
+  text_free(&path);
+  text_free(&scene_path);
+  return status;
+}
+
+Status report_folder(const char *folder, Text *written, Error *error) {
+  Status status = STATUS_OK;
+  Text svg = {0};
+  TRY(draw_newest(folder, &svg, error));
   TRY(file_join(written, folder, "capsule.svg", error));
   TRY(file_write(written->data, svg.data, svg.length, error));
   TRY(run_page_write(folder, NULL, error));
   TRY(text_append(written, error, "\n%s/report.html", folder));
 cleanup:
-  output_close(&output);
-  record_free(&record);
-  simulation_free(&simulation);
-  scene_free(&scene);
   text_free(&svg);
-  text_free(&scene_path);
   return status;
 }

@@ -20,36 +20,38 @@ static void begin(const char *name) {
 
 static void put(const char *name, const char *text) {
   Error error;
-  char path[900];
-  snprintf(path, sizeof path, "%s/%s", folder, name);
-  ck_assert_int_eq(file_write(path, text, strlen(text), &error), STATUS_OK);
+  Text path = {0};
+  ck_assert_int_eq(file_join(&path, folder, name, &error), STATUS_OK);
+  ck_assert_int_eq(file_write(path.data, text, strlen(text), &error), STATUS_OK);
+  text_free(&path);
 }
 
 /* A case with one snapshot of the sphere at rest, on a mesh of its own. */
 static void put_case(const char *name, int subdivisions) {
   Error error;
   Mesh mesh;
-  Text path = {0};
-  char own[800], file[900];
-  snprintf(own, sizeof own, "%s/cases/%s", folder, name);
-  ck_assert_int_eq(file_make_folder(own, &error), STATUS_OK);
-  snprintf(file, sizeof file, "cases/%s/resolved.yaml", name);
-  put(file, SCENE);
+  Text own = {0}, file = {0}, path = {0};
+  ck_assert_int_eq(text_append(&own, &error, "%s/cases/%s", folder, name), STATUS_OK);
+  ck_assert_int_eq(file_make_folder(own.data, &error), STATUS_OK);
+  ck_assert_int_eq(text_append(&file, &error, "cases/%s/resolved.yaml", name), STATUS_OK);
+  put(file.data, SCENE);
   ck_assert_int_eq(mesh_sphere(&mesh, subdivisions, NULL, &error), STATUS_OK);
   const Snapshot snapshot = {.mesh = &mesh, .t = 1, .x = mesh.X, .scene = SCENE};
-  ck_assert_int_eq(snapshot_path(&path, own, 0, &error), STATUS_OK);
+  ck_assert_int_eq(snapshot_path(&path, own.data, 0, &error), STATUS_OK);
   ck_assert_msg(snapshot_write(path.data, &snapshot, &error) == STATUS_OK, "%s", error.text);
+  text_free(&own);
+  text_free(&file);
   text_free(&path);
   mesh_free(&mesh);
 }
 
 static Text page(void) {
   Error error;
-  Text html = {0};
-  char path[900];
+  Text html = {0}, path = {0};
   ck_assert_msg(study_page_write(folder, &error) == STATUS_OK, "%s", error.text);
-  snprintf(path, sizeof path, "%s/report.html", folder);
-  ck_assert_int_eq(file_read(path, (size_t)1 << 26, &html, &error), STATUS_OK);
+  ck_assert_int_eq(file_join(&path, folder, "report.html", &error), STATUS_OK);
+  ck_assert_int_eq(file_read(path.data, (size_t)1 << 26, &html, &error), STATUS_OK);
+  text_free(&path);
   return html;
 }
 

@@ -1,6 +1,6 @@
 // What the capsule can be coloured by: each field gives its values at the drawing points of a frame.
 
-// {id, label, signed, values(model, frame)}; a field whose arrays a run does not have is left out.
+// {id, label, signed, values(model, frame), bounds(frame)}: bounds, where they are known without the values.  A field whose arrays a run does not have is left out.
 const FIELDS = [
   nodal('d', 'damage d'),
   nodal('Y', 'energy release rate Y / G_s'),
@@ -11,7 +11,11 @@ const FIELDS = [
 ];
 
 function nodal(id, label, signed = false) {
-  return {id, label, signed, needs: [id], values: (model, frame) => model.surface.interpolate(model.array(frame, id))};
+  return {
+    id, label, signed, needs: [id],
+    values: (model, frame) => model.surface.interpolate(model.array(frame, id)),
+    bounds: frame => [frame[id].min, frame[id].max],
+  };
 }
 
 function normalLoad(model, frame) {

@@ -12,7 +12,6 @@ export class Model {
     this.surface = new Surface(element, unpack(data.X), cutsFor(element.length / 6));
     this.fields = fieldsOf(this.frames).filter(({id}) => !without.includes(id));
     this.kept = this.frames.map(() => ({}));
-    this.ranges = {};
   }
 
   keep(frame, name, make) {
@@ -32,13 +31,15 @@ export class Model {
     return this.keep(frame, `values of ${field.id}`, () => field.values(this, frame));
   }
 
+  bounds(field, frame) {
+    return this.keep(frame, `bounds of ${field.id}`, () => field.bounds?.(this.frames[frame]) ?? extent(this.values(frame, field)));
+  }
+
   // Smallest and largest value of one frame, or of all (frame == null).
   range(field, frame) {
-    if (frame != null) return widened(extent(this.values(frame, field)), field.signed);
-    this.ranges[field.id] ??= this.frames
-      .map((_, k) => extent(this.values(k, field)))
-      .reduce((a, b) => [Math.min(a[0], b[0]), Math.max(a[1], b[1])]);
-    return widened(this.ranges[field.id], field.signed);
+    const frames = frame == null ? this.frames.map((_, k) => k) : [frame];
+    const bounds = frames.map(k => this.bounds(field, k));
+    return widened([Math.min(...bounds.map(([low]) => low)), Math.max(...bounds.map(([, high]) => high))], field.signed);
   }
 
   // Largest distance from the centre at any time: what a picture must have room for.

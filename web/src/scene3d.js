@@ -118,6 +118,8 @@ export class Scene3d {
     this.renderer = new WebGLRenderer({antialias: true, alpha: true, preserveDrawingBuffer: true});
     this.renderer.autoClear = false;
     this.canvas = this.renderer.domElement;
+    this.canvas.setAttribute('role', 'img');
+    this.canvas.setAttribute('aria-label', 'the capsule');
     host.prepend(this.canvas);
     this.majorAxis = rod(0.014);
     this.vorticity = [rod(0.014), rod(0.014)];
