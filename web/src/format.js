@@ -19,8 +19,8 @@ export function duration(seconds) {
 
 // About `count` round numbers in a range.
 export function ticks([low, high], count = 5) {
-  const rough = (high - low) / count, power = 10 ** Math.floor(Math.log10(rough));
-  const step = power * [1, 2, 5, 10].find(factor => factor * power >= rough);
+  const rough = (high - low) / count, power = 10 ** Math.floor(Math.log10(rough)), ratio = rough / power;
+  const step = power * (ratio < 1.5 ? 1 : ratio < 3.5 ? 2 : ratio < 7.5 ? 5 : 10);
   const first = Math.ceil(low / step - 1e-9);
   return Array.from({length: Math.floor(high / step + 1e-9) - first + 1}, (_, k) => Number(((first + k) * step).toPrecision(12)));
 }

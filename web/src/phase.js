@@ -24,22 +24,36 @@ export function casesDiagram(rows, x, y) {
   return h('div', {class: 'chart'}, svg, outcomeLegend(used));
 }
 
-// Limits over a varied key: targets [{key, label}], one line for each and each group ({label, rows}).
+// Whether a limit does not depend on what tells the groups apart: it is drawn once.
+function isShared(groups, x, key) {
+  const line = group => JSON.stringify(group.rows.map(row => [row[x.key], row[key]]).sort((a, b) => a[0] - b[0]));
+  return groups.every(group => line(group) === line(groups[0]));
+}
+
+function limit(to, rows, x, key, label, stroke, dash) {
+  const known = rows.filter(row => typeof row[key] === 'number' && typeof row[x.key] === 'number').sort((a, b) => a[x.key] - b[x.key]);
+  const line = s('path', {d: path(known.map(row => to(row[x.key], row[key]))), fill: 'none', stroke, 'stroke-width': 2, 'stroke-dasharray': dash});
+  const points = known.map(row => {
+    const value = row[key], error = row[`${key}_error`] ?? 0, [cx, cy] = to(row[x.key], value);
+    return s('g', {},
+      s('path', {d: `M${cx} ${to(0, value - error)[1]}V${to(0, value + error)[1]}`, stroke, 'stroke-width': 1.5}),
+      s('circle', {cx, cy, r: 3.5, fill: stroke}),
+      s('title', {}, `${label} = ${format(value)} ± ${format(error, 2)} at ${x.label} = ${format(row[x.key])}`));
+  });
+  return [line, ...points];
+}
+
+// Limits over a varied key: targets are names of columns, with NAME_error beside them; one line for each target and
+// group ({label, rows}).
 export function limitsDiagram(groups, x, targets, yLabel) {
-  const rows = groups.flatMap(group => group.rows);
-  const values = targets.flatMap(({key}) => rows.map(row => row[key]));
+  const rows = groups.flatMap(group => group.rows), values = targets.flatMap(key => rows.map(row => row[key]));
   const {svg, to} = diagram({label: x.label, range: spread(rows.map(row => row[x.key]))}, {label: yLabel, range: spread([0, ...values])});
   const entries = [];
-  groups.forEach((group, g) => targets.forEach(({key, label}, k) => {
-    const known = group.rows.filter(row => typeof row[key] === 'number' && typeof row[x.key] === 'number').sort((a, b) => a[x.key] - b[x.key]);
-    if (!known.length) return;
-    const stroke = curveColor(k), dash = (DASHES[g % DASHES.length] ?? []).join(' ');
-    svg.append(s('path', {d: path(known.map(row => to(row[x.key], row[key]))), fill: 'none', stroke, 'stroke-width': 2, 'stroke-dasharray': dash}));
-    for (const row of known) {
-      const [cx, cy] = to(row[x.key], row[key]);
-      svg.append(s('circle', {cx, cy, r: 3.5, fill: stroke}, s('title', {}, `${label} = ${format(row[key])} at ${x.label} = ${format(row[x.key])}${group.label ? `, ${group.label}` : ''}`)));
-    }
-    entries.push([s('path', {d: 'M-9 0H9', stroke, 'stroke-width': 2.5, 'stroke-dasharray': dash}), group.label ? `${label}, ${group.label}` : label]);
+  targets.forEach((key, k) => (isShared(groups, x, key) ? groups.slice(0, 1) : groups).forEach((group, g, shown) => {
+    const stroke = curveColor(k), dash = DASHES[g % DASHES.length].join(' ');
+    const label = group.label && shown.length > 1 ? `${key}, ${group.label}` : key;
+    svg.append(...limit(to, group.rows, x, key, label, stroke, dash));
+    entries.push([s('path', {d: 'M-9 0H9', stroke, 'stroke-width': 2.5, 'stroke-dasharray': dash}), label]);
   }));
   return h('div', {class: 'chart'}, svg, legend(entries));
 }

@@ -33,10 +33,14 @@ class Results {
     Object.assign(this, {names, rows, column});
     const first = names.findIndex(name => !isAxis(name));
     this.axes = names.slice(0, first < 0 ? names.length : first).map(key => ({key, label: shortName(key)}));
-    this.numericAxes = this.axes.filter(({key}) => column[key].every(isNumber) && new Set(column[key]).size > 1)
+    this.numericAxes = this.axes.filter(({key}) => column[key].every(isNumber) && this.valuesOf(key).length > 1)
       .sort((a, b) => (b.key === CAPILLARY) - (a.key === CAPILLARY)); // first what is asked for first
     this.figures = names.slice(this.axes.length).filter(name => column[name].some(isNumber) && !/_[123]$/.test(name) && name !== 'case');
     this.hasCases = names.includes('status');
+  }
+
+  valuesOf(name) {
+    return [...new Set(this.column[name])].sort((a, b) => a - b);
   }
 
   // Rows that agree in all that is varied but `without`: [{label, rows}].
@@ -55,7 +59,7 @@ class Results {
 // ---- curves ----
 
 function curvesOver(results, x, figure) {
-  const values = [...new Set(results.column[x.key])].sort((a, b) => a - b), groups = results.groups(x.key);
+  const values = results.valuesOf(x.key), groups = results.groups(x.key);
   const curves = new Curves({label: x.label, values}, {height: 320});
   const lines = groups.slice(0, MOST_LINES).map(({label, rows}) => {
     const at = values.map(value => rows.find(row => row[x.key] === value));
@@ -95,10 +99,12 @@ function phaseSection(results, data) {
   const {numericAxes} = results, options = numericAxes.map(({key, label}) => [key, label]);
   const axis = key => numericAxes.find(one => one.key === key);
   if (data.summary.study === 'threshold') {
-    const targets = (data.summary.targets ?? results.figures.filter(name => /^Ca/.test(name))).map(key => ({key, label: key}));
+    const targets = results.names.filter(name => results.names.includes(`${name}_low`)); // each is a column with its bracket
     if (!numericAxes.length || !targets.length) return null;
-    return section('Phase diagram', ...chosen([['x', 'over', options, numericAxes[0].key]],
-      ({x}) => limitsDiagram(results.groups(x), axis(x), targets, 'threshold')));
+    const most = numericAxes.reduce((a, b) => (results.valuesOf(b.key).length > results.valuesOf(a.key).length ? b : a));
+    return section('Phase diagram', ...chosen([['x', 'over', options, most.key]],
+      ({x}) => limitsDiagram(results.groups(x), axis(x), targets, targets.every(name => name.startsWith('Ca')) ? 'Ca' : 'threshold')),
+    h('p', {class: 'note'}, 'Bars are the errors of the values, where they are larger than the dots.'));
   }
   if (numericAxes.length < 2 || results.names.includes('criterion')) return null;
   return section('Phase diagram', ...chosen([['x', 'across', options, options[0][0]], ['y', 'up', options, options[1][0]]],
@@ -135,6 +141,7 @@ function headline(data) {
   const {summary} = data, counts = [`${summary.cases} cases`];
   if (summary.failed) counts.push(`${summary.failed} failed`);
   if (summary.mode) counts.push(summary.mode);
+  if (summary.runs_saved > 0) counts.push(`${summary.runs_saved} runs saved against plain halving`);
   return h('header', {},
     h('h1', {}, summary.name, ' ', h('span', {class: `status ${summary.status === 'done' ? 'end' : 'interrupted'}`}, summary.status)),
     h('p', {class: 'subtitle'}, [KINDS[summary.study] ?? summary.study, ...counts].join(' · ')));
