@@ -1,10 +1,12 @@
 #include "coupling/spectral_radius.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <stdint.h>
+#include <string.h>
 
 enum { MAX_ITERATIONS = 60 };
-static const double CONVERGED = 1e-2; /* relative change between two iterates */
+static const double CONVERGED = 5e-3; /* relative change between two iterates */
 static const double PERTURBATION = 1e-6;
 
 static double norm(int n, const double *x) {
@@ -13,11 +15,42 @@ static double norm(int n, const double *x) {
   return sqrt(sum);
 }
 
-void spectral_radius_seed(int n, double *direction) {
-  uint64_t state = 0x9e3779b97f4a7c15u;
-  for (int i = 0; i < n; i++) {
-    state = state * 6364136223846793005u + 1442695040888963407u;
-    direction[i] = (double)(int32_t)(state >> 32) * 0x1p-31;
+/* splitmix64 */
+static uint64_t mix(uint64_t z) {
+  z += 0x9e3779b97f4a7c15u;
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+  return z ^ (z >> 31);
+}
+
+/* In (-1, 1). */
+static double uniform(uint64_t state) {
+  return (double)(int32_t)(state >> 32) * 0x1p-31;
+}
+
+/* 0 where there is no sign to follow, except at the origin, where there is nothing but that. */
+static double odd(double x, double value, bool at_origin) {
+  if (x == 0) return at_origin ? value : 0;
+  return x < 0 ? -value : value;
+}
+
+/* Component c is odd in coordinate c and even in the others. */
+void spectral_radius_seed(int n, const double *x, double *direction) {
+  for (int first = 0; first < n; first += 3) {
+    const int length = n - first < 3 ? n - first : 3;
+    uint64_t state = (uint64_t)length;
+    bool at_origin = true;
+    for (int c = 0; c < length; c++) {
+      const double size = fabs(x[first + c]);
+      uint64_t bits;
+      memcpy(&bits, &size, sizeof bits);
+      state = mix(state ^ bits);
+      at_origin = at_origin && size == 0;
+    }
+    for (int c = 0; c < length; c++) {
+      state = mix(state);
+      direction[first + c] = odd(x[first + c], uniform(state), at_origin);
+    }
   }
 }
 
@@ -27,7 +60,8 @@ Status spectral_radius(const Rhs *rhs, double t, const double *x, const double *
   const double size = PERTURBATION * fmax(norm(n, x), 1); /* x is in units of its own size */
   double estimate = 0;
   for (int k = 0; k < MAX_ITERATIONS; k++) {
-    if (norm(n, direction) == 0) spectral_radius_seed(n, direction); /* f did not change along the last one */
+    if (norm(n, direction) == 0)
+      spectral_radius_seed(n, x, direction); /* f did not change along the last one */
     const double scale = size / norm(n, direction);
     for (int i = 0; i < n; i++) x_trial[i] = x[i] + scale * direction[i];
     const Status status = rhs_stage(rhs, x_trial, t, 0, f_trial, error);

@@ -10,7 +10,9 @@
 Status spectral_radius(const Rhs *rhs, double t, const double *x, const double *f, double *direction,
                        double *x_trial, double *f_trial, double *rho, int *evaluations, Error *error);
 
-/* Fills `direction` with the same pseudo-random numbers every time. */
-void spectral_radius_seed(int n, double *direction);
+/* Fills `direction` with pseudo-random numbers, the same every time.  As a field over the nodes at x (n / 3
+ * of them) they have all symmetries that the nodes have under changes of sign of the coordinates, to the last
+ * bit: a symmetric problem is measured where it moves, whether or not its symmetry is used. */
+void spectral_radius_seed(int n, const double *x, double *direction);
 
 #endif

@@ -78,7 +78,7 @@ Status stepper_start(Stepper *s, double t, const double *x, Error *error) {
   s->memory = (StepperMemory){.t = t, .error_before = 1};
   memcpy(s->x, x, (size_t)s->rhs.n * sizeof *x);
   TRY(s->rhs.evaluate(s->rhs.context, s->x, t, 0, s->v, error));
-  spectral_radius_seed(s->rhs.n, s->direction);
+  spectral_radius_seed(s->rhs.n, s->x, s->direction);
   s->is_open = false;
   TRY(stepper_measure_radius(s, error));
   s->is_open = false; /* as after a restart from here: the counts are the same */

@@ -3,6 +3,31 @@
 
 #include "mesh/p2.h"
 
+#include <math.h>
+#include <stdbool.h>
+
+/* By the sizes of the coordinates. */
+static int compare_sizes(const double *a, const double *b) {
+  for (int c = 0; c < 3; c++) {
+    if (fabs(a[c]) != fabs(b[c])) return fabs(a[c]) < fabs(b[c]) ? -1 : 1;
+  }
+  return 0;
+}
+
+void piece_turn(const int element[6], const double *X, int turned[6]) {
+  int first = -1;
+  for (int k = 0; k < 3; k++) {
+    const double *corner = X + 3 * element[k];
+    bool has_twin = false; /* its mirror image is a corner, too */
+    for (int other = 1; other < 3; other++) {
+      has_twin = has_twin || compare_sizes(corner, X + 3 * element[(k + other) % 3]) == 0;
+    }
+    if (has_twin) continue;
+    if (first < 0 || compare_sizes(corner, X + 3 * element[first]) < 0) first = k;
+  }
+  for (int k = 0; k < 6; k++) turned[k] = element[k / 3 * 3 + (k + (first < 0 ? 0 : first)) % 3];
+}
+
 void piece_load(const int element[6], const double *x, const double *q, Piece *piece) {
   for (int k = 0; k < 6; k++) {
     const double *position = x + 3 * element[k], *load = q + 3 * element[k];

@@ -4,6 +4,11 @@
 
 #include "fluid/piece_kernel.h"
 
+/* The nodes of an element in the order in which pieces are made of it: turned so that node 0 is the corner
+ * that the mesh, X [n_nodes][3], tells from the other two whichever coordinates change sign.  Then what comes
+ * of an element does not depend on its numbers, and what comes of its mirror image is the mirror image. */
+void piece_turn(const int element[6], const double *X, int turned[6]);
+
 /* The whole element; x, q [n_nodes][3]. */
 void piece_load(const int element[6], const double *x, const double *q, Piece *piece);
 

@@ -12,30 +12,36 @@ static inline double squared_edge(const Piece *piece, int i, int j) {
   return d0 * d0 + d1 * d1 + d2 * d2;
 }
 
-/* Children: (start, middle, opposite) and (middle, end, opposite) of the longest edge. */
+/* Squared lengths that differ by less count as equal: far more than round-off, and less than any shape. */
+static const double LONGER = 1 + 1e-6;
+/* Sides alike that are so much longer than the base (16 times, squared) are no tie: halves of the base would
+ * be no shorter. */
+static const double NEEDLE = 256;
+
+/* Children: (opposite, start, middle) and (opposite, middle, end) of the edge that is cut. */
 VECTOR_CLONES
 void piece_bisect(const Piece *restrict piece, Piece *restrict first, Piece *restrict second) {
   double l01 = squared_edge(piece, 0, 1), l12 = squared_edge(piece, 1, 2), l20 = squared_edge(piece, 2, 0);
-  int start = l12 > l01 ? 1 : 0;
-  if (l20 > (start ? l12 : l01)) start = 2;
+  int start = l01 > LONGER * fmax(l12, l20) || l01 > NEEDLE * l12 ? 0 : 1;
+  if (l20 > LONGER * fmax(l01, l12)) start = 2;
   int end = (start + 1) % 3, opposite = (start + 2) % 3;
   const double *a = piece->node[start], *b = piece->node[end], *c = piece->node[opposite];
   const double *m = piece->node[3 + start], *bc = piece->node[3 + end], *ca = piece->node[3 + opposite];
 #pragma omp simd
   for (int i = 0; i < PIECE_COMPONENTS; i++) {
     double cut = 0.5 * (bc[i] + ca[i]) + 0.25 * m[i] - 0.125 * (a[i] + b[i]); /* halfway from m to c */
-    first->node[0][i] = a[i];
-    first->node[1][i] = m[i];
-    first->node[2][i] = c[i];
-    first->node[3][i] = 0.375 * a[i] + 0.75 * m[i] - 0.125 * b[i];
-    first->node[4][i] = cut;
-    first->node[5][i] = ca[i];
-    second->node[0][i] = m[i];
-    second->node[1][i] = b[i];
-    second->node[2][i] = c[i];
-    second->node[3][i] = 0.375 * b[i] + 0.75 * m[i] - 0.125 * a[i];
-    second->node[4][i] = bc[i];
-    second->node[5][i] = cut;
+    first->node[0][i] = c[i];
+    first->node[1][i] = a[i];
+    first->node[2][i] = m[i];
+    first->node[3][i] = ca[i];
+    first->node[4][i] = 0.375 * a[i] + 0.75 * m[i] - 0.125 * b[i];
+    first->node[5][i] = cut;
+    second->node[0][i] = c[i];
+    second->node[1][i] = m[i];
+    second->node[2][i] = b[i];
+    second->node[3][i] = cut;
+    second->node[4][i] = 0.375 * b[i] + 0.75 * m[i] - 0.125 * a[i];
+    second->node[5][i] = bc[i];
   }
 }
 

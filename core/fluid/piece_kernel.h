@@ -22,7 +22,10 @@ typedef struct {
   } block[(TRIANGLE_RULE_MAX + OSEEN_LANES - 1) / OSEEN_LANES];
 } PieceRule;
 
-/* Cuts the longest edge at its middle node.  The halves are P2 pieces of the same surface, exactly. */
+/* Cuts the longest edge at its middle node; the base, which is opposite to corner 0, unless one of the sides
+ * is longer than both other edges by more than round-off.  The halves are P2 pieces of the same surface,
+ * exactly.  Corner 0 of both is the one opposite to the cut, so that from the mirror image of a piece, with
+ * corners 1 and 2 exchanged, come the mirror images of its halves, the second one first. */
 void piece_bisect(const Piece *piece, Piece *first, Piece *second);
 
 /* Centroid of the corners, and the square of `reach` times the radius of gyration of the flat triangle of the

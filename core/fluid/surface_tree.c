@@ -48,7 +48,7 @@ static Status new_lattice(SurfaceTree *tree, int l, int k, Error *error) {
     int child = first + i / n_sources, source = i % n_sources;
     double point[3];
     if (elements_below) {
-      reference_point(tree, mesh->element[child], source, point);
+      reference_point(tree, tree->turned[child], source, point);
     } else {
       memcpy(point, mesh->X + 3 * below->lattice[child][source], sizeof point);
     }
@@ -130,6 +130,8 @@ Status tree_new(SurfaceTree *tree, const Mesh *mesh, const TreeScheme *scheme, E
   const int lined = mesh->n_elements / CHILDREN * blocks_of_four(tree);
   tree->n_blocks = of_elements + lined + (scheme->far > 0 ? count_nested(tree) * LATTICE_BLOCKS : 0);
   TRY(ARRAY_NEW(&tree->blocks, tree->n_blocks, error));
+  TRY(ARRAY_NEW(&tree->turned, mesh->n_elements, error));
+  for (int e = 0; e < mesh->n_elements; e++) piece_turn(mesh->element[e], mesh->X, tree->turned[e]);
   tree->lined_points = tree->blocks + of_elements;
   OseenBlock *free = tree->lined_points + lined;
   for (int l = tree->element_level; l < tree->n_levels; l++) TRY(new_piece_level(tree, l, error));
@@ -155,6 +157,7 @@ void tree_free(SurfaceTree *tree) {
   }
   array_free(tree->blocks);
   array_free(tree->image);
+  array_free(tree->turned);
 }
 
 static void get_center(const TreeLevel *level, int k, double center[3]) {
@@ -171,13 +174,13 @@ static void set_piece(SurfaceTree *tree, int l, int k, const Piece *piece) {
 
 static void update_element(SurfaceTree *tree, int e, const double *x, const double *q) {
   Piece piece;
-  piece_load(tree->mesh->element[e], x, q, &piece);
+  piece_load(tree->turned[e], x, q, &piece);
   set_piece(tree, tree->element_level, e, &piece);
 }
 
 void tree_cut(SurfaceTree *tree, int e, const double *x, const double *q) {
   Piece piece[2][1 << TREE_BISECTIONS];
-  piece_load(tree->mesh->element[e], x, q, &piece[0][0]);
+  piece_load(tree->turned[e], x, q, &piece[0][0]);
   for (int depth = 1; tree->element_level + depth < tree->n_levels; depth++) {
     Piece *above = piece[(depth + 1) % 2], *here = piece[depth % 2];
     for (int i = 0; i < 1 << depth; i += 2) piece_bisect(&above[i / 2], &here[i], &here[i + 1]);

@@ -47,6 +47,7 @@ enum { CHILDREN_OF_PIECE = 2, TREE_BISECTIONS = 3, TREE_MAX_LEVELS = 7 + 1 + TRE
 
 typedef struct {
   const Mesh *mesh;
+  int (*turned)[6]; /* [n_elements] nodes of the elements as pieces take them, see piece_turn */
   TreeScheme scheme;
   int n_levels, element_level;
   TreeLevel level[TREE_MAX_LEVELS];

@@ -75,7 +75,7 @@ static int look_at_pieces(Walk *walk, const TreeLevel *level, const int *parent,
 /* Piece k of element k >> depth after `depth` bisections. */
 static void cut_out(const Walk *walk, int k, int depth, Piece *piece) {
   if (depth == 0) {
-    piece_load(walk->tree->mesh->element[k], walk->x, walk->q, piece);
+    piece_load(walk->tree->turned[k], walk->x, walk->q, piece);
     return;
   }
   Piece parent, other;

@@ -25,7 +25,7 @@ static void iterate(const Rhs *rhs, const double *x, Estimate *estimate) {
 
 static Estimate estimate_radius(const Rhs *rhs, const double *x) {
   Estimate estimate;
-  spectral_radius_seed(rhs->n, estimate.direction);
+  spectral_radius_seed(rhs->n, x, estimate.direction);
   iterate(rhs, x, &estimate);
   return estimate;
 }
@@ -120,15 +120,15 @@ END_TEST
 
 START_TEST(the_estimate_is_the_same_every_time) {
   double rate[MAX_N], x[MAX_N], seed[MAX_N], again[MAX_N];
-  fill(MAX_N, 1, x);
+  for (int i = 0; i < MAX_N; i++) x[i] = 1 + i; /* places apart */
   spread_rates(rate);
   Decay decay = {MAX_N, rate};
   const Rhs rhs = decay_rhs(&decay);
   const Estimate one = estimate_radius(&rhs, x), two = estimate_radius(&rhs, x);
   ck_assert_double_eq(one.rho, two.rho);
   ck_assert_mem_eq(one.direction, two.direction, sizeof one.direction);
-  spectral_radius_seed(MAX_N, seed);
-  spectral_radius_seed(MAX_N, again);
+  spectral_radius_seed(MAX_N, x, seed);
+  spectral_radius_seed(MAX_N, x, again);
   ck_assert_mem_eq(seed, again, sizeof seed);
   double sum = 0, square = 0;
   for (int i = 0; i < MAX_N; i++) {
@@ -142,6 +142,23 @@ START_TEST(the_estimate_is_the_same_every_time) {
 }
 END_TEST
 
+START_TEST(the_seed_has_the_symmetries_of_the_nodes) {
+  /* A node, its images under the eight changes of sign, and one on a mirror plane. */
+  enum { IMAGES = 8 };
+  const double X[3] = {0.3, -0.5, 0.8}, on_plane[3] = {0.6, 0, -0.8};
+  double x[3 * (IMAGES + 1)], w[3 * (IMAGES + 1)];
+  for (int code = 0; code < IMAGES; code++)
+    for (int c = 0; c < 3; c++) x[3 * code + c] = code >> c & 1 ? -X[c] : X[c];
+  memcpy(x + 3 * IMAGES, on_plane, sizeof on_plane);
+  spectral_radius_seed(3 * (IMAGES + 1), x, w);
+  for (int code = 0; code < IMAGES; code++)
+    for (int c = 0; c < 3; c++) ck_assert_double_eq(w[3 * code + c], code >> c & 1 ? -w[c] : w[c]);
+  ck_assert_double_eq(w[3 * IMAGES + 1], 0);
+  ck_assert_double_ne(w[3 * IMAGES], 0);
+  ck_assert_double_ne(w[0], w[1]);
+}
+END_TEST
+
 START_TEST(a_refusal_is_passed_on) {
   const double rate[3] = {-1, -2, -3}, x[3] = {1, 1, 1}, f[3] = {-1, -2, -3};
   Decay decay = {3, rate};
@@ -152,7 +169,7 @@ START_TEST(a_refusal_is_passed_on) {
   double direction[3], x_trial[3], f_trial[3], rho = -1;
   int evaluations = 0;
   Error error;
-  spectral_radius_seed(3, direction);
+  spectral_radius_seed(3, x, direction);
   ck_assert_int_eq(spectral_radius(&rhs, 0, x, f, direction, x_trial, f_trial, &rho, &evaluations, &error),
                    STATUS_REJECT);
   ck_assert_int_eq(evaluations, 3);
@@ -177,7 +194,7 @@ START_TEST(a_cheaper_rule_is_asked_where_there_is_one) {
   double direction[3], x_trial[3], f_trial[3], rho;
   int evaluations = 0;
   Error error;
-  spectral_radius_seed(3, direction);
+  spectral_radius_seed(3, x, direction);
   ck_assert_int_eq(spectral_radius(&rhs, 0, x, f, direction, x_trial, f_trial, &rho, &evaluations, &error),
                    STATUS_OK);
   ck_assert_double_eq_tol(rho, 30, 0.01 * 30);
@@ -223,7 +240,8 @@ int main(void) {
                    an_evenly_filled_spectrum_is_found_to_some_per_cent_and_from_below,
                    the_last_direction_saves_most_of_the_work,
                    a_non_linear_equation_is_measured_where_it_stands, the_estimate_is_the_same_every_time,
-                   a_refusal_is_passed_on, a_cheaper_rule_is_asked_where_there_is_one,
+                   the_seed_has_the_symmetries_of_the_nodes, a_refusal_is_passed_on,
+                   a_cheaper_rule_is_asked_where_there_is_one,
                    an_equation_that_does_not_depend_on_x_has_radius_zero_and_a_direction_to_go_on_with,
                    the_origin_is_a_place_like_any_other, NULL});
 }
