@@ -12,7 +12,7 @@
 static inline LawSearch test_search(void) {
   static char plugins[] = PLUGINS, broken[] = BROKEN;
   static char *folders[] = {plugins, broken};
-  return (LawSearch){folders, 2};
+  return (LawSearch){.folder = folders, .n = 2};
 }
 
 static const LawScales NO_SCALES = {1.0, 1.0, 1.0};

@@ -72,6 +72,7 @@ typedef struct {
     double d_max;
     double nonlocal_length; /* 0: the drive of damage is local */
     MassSolver mass_solver;
+    bool check_laws; /* those that are not the program's, before the run */
   } membrane;
 
   struct {

@@ -98,6 +98,9 @@ const SchemaRow SCHEMA[] = {
      .fallback = "pcg",
      .meaning = "Solver of M q = R for the load q: preconditioned conjugate gradients, or a sparse "
                 "factorization."},
+    {.key = "membrane.check_laws", .type = TYPE_BOOLEAN, AT(membrane.check_laws), .fallback = "true",
+     .meaning = "Check every law that did not come with the program before the run, as `capsella laws check` "
+                "does, and refuse one that fails a test."},
 
     {.key = "flow.kind", .type = TYPE_CHOICE, AT(flow.kind), .companion = offsetof(Scene, flow.place),
      .choices = FLOW_KINDS,

@@ -5,6 +5,7 @@
 
 #include "base/array.h"
 #include "base/file.h"
+#include "base/text.h"
 #include "base/timer.h"
 #include "laws/conformance_test.h"
 #include <errno.h>
@@ -320,4 +321,35 @@ cleanup:
 void conformance_free(ConformanceReport *report) {
   array_free(report->result);
   *report = (ConformanceReport){0};
+}
+
+/* The first test that failed, and how to go on from there; a plugin that cannot be opened has but one. */
+static Status refuse(const char *file, const ConformanceReport *report, Error *error) {
+  Status status;
+  Text advice = {0};
+  const ConformanceResult *first = report->result;
+  while (!conformance_is_bad(first->outcome)) first++;
+  if (report->n > 1) {
+    TRY(text_append(&advice, error,
+                    " (tests failed: %zu; `capsella laws check %s` tells all, and `membrane.check_laws: "
+                    "false` runs such a law)",
+                    report->n_bad, file));
+  }
+  TRY(error_set(error, STATUS_INPUT, "%s%s%s/%s %s: %s%s", first->law, first->law[0] ? ": " : "",
+                first->group, first->name, conformance_outcome_name(first->outcome), first->text,
+                advice.data ? advice.data : ""));
+cleanup:
+  text_free(&advice);
+  return status;
+}
+
+Status conformance_admit(const char *file, Error *error) {
+  Status status;
+  ConformanceReport report = {0};
+  const ConformanceOptions options = {.file = file, .time_limit = CONFORMANCE_TIME_LIMIT};
+  TRY(conformance_run(&options, &report, error));
+  if (report.n_bad) TRY(refuse(file, &report, error));
+cleanup:
+  conformance_free(&report);
+  return status;
 }

@@ -25,6 +25,9 @@ typedef struct {
   char text[480]; /* what was expected and found; may be empty when passed */
 } ConformanceResult;
 
+/* Seconds.  A test takes milliseconds; these are for laws that iterate, on a busy machine. */
+#define CONFORMANCE_TIME_LIMIT 10.0
+
 typedef struct {
   const char *file;  /* path of the shared object */
   const char *only;  /* POSIX extended regular expression on "group/name"; NULL: all tests */
@@ -42,5 +45,9 @@ typedef struct {
  * Calls fork: not for a process with threads running. */
 Status conformance_run(const ConformanceOptions *options, ConformanceReport *report, Error *error);
 void conformance_free(ConformanceReport *report);
+
+/* A file that does not pass is refused (STATUS_INPUT): the reason names law and test.  Serves as
+ * LawSearch.admit. */
+Status conformance_admit(const char *file, Error *error);
 
 #endif

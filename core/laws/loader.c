@@ -67,7 +67,11 @@ cleanup:
   return status;
 }
 
-static Status try_file(Attempt *attempt, const char *file, Error *error) {
+static Status admit(const LawSearch *search, const char *file, Error *reason) {
+  return search->admit && !law_search_owns(search, file) ? search->admit(file, reason) : STATUS_OK;
+}
+
+static Status try_file(Attempt *attempt, const char *file, const LawSearch *search, Error *error) {
   Status status = STATUS_OK;
   Error reason;
   const mlaw_plugin *plugin;
@@ -79,7 +83,7 @@ static Status try_file(Attempt *attempt, const char *file, Error *error) {
   absolute = realpath(file, NULL);
   if (!absolute) TRY(error_set(error, STATUS_IO, "%s: its absolute path cannot be had", file));
   attempt->done = true; /* the file is there: no later one takes its place */
-  if (plugin_open(absolute, &plugin, &reason) != STATUS_OK) {
+  if (admit(search, absolute, &reason) != STATUS_OK || plugin_open(absolute, &plugin, &reason) != STATUS_OK) {
     TRY(report(attempt, file, reason.text, error));
   } else if (choose(attempt, plugin) != 1) {
     attempt->done = attempt->by_path;
@@ -101,7 +105,7 @@ static Status try_folders(Attempt *attempt, const char *name, const LawSearch *s
   for (size_t i = 0; i < n && !attempt->done; i++) {
     path.length = 0;
     TRY(file_join(&path, name[0] == '/' ? "" : search->folder[i], name, error));
-    TRY(try_file(attempt, path.data, error));
+    TRY(try_file(attempt, path.data, search, error));
   }
 cleanup:
   text_free(&path);

@@ -1,4 +1,5 @@
 /* Folders and files of plugins, through POSIX glob and readlink.  Nothing here opens a plugin. */
+#define _XOPEN_SOURCE 700 /* realpath */
 #include "laws/search.h"
 
 #include "base/array.h"
@@ -112,6 +113,7 @@ Status law_search_default(LawSearch *search, const char *scene_folder, Error *er
   *search = (LawSearch){0};
   if (scene_folder) TRY(add_folder(search, scene_folder, error));
   TRY(add_environment(search, getenv("MLAW_PLUGIN_PATH"), error));
+  search->n_foreign = search->n;
   TRY(add_own_folders(search, error));
 cleanup:
   if (status != STATUS_OK) law_search_free(search);
@@ -121,6 +123,18 @@ cleanup:
 void law_search_free(LawSearch *search) {
   free_list(search->folder, search->n);
   *search = (LawSearch){0};
+}
+
+/* A folder of the program that the environment names, too, is the environment's: its laws are checked. */
+bool law_search_owns(const LawSearch *search, const char *file) {
+  bool owned = false;
+  const size_t length = (size_t)(strrchr(file, '/') - file);
+  for (size_t i = search->n_foreign; i < search->n && !owned; i++) {
+    char *folder = realpath(search->folder[i], NULL);
+    owned = folder && strlen(folder) == length && strncmp(folder, file, length) == 0;
+    free(folder);
+  }
+  return owned;
 }
 
 static Status add_file(void *list, const char *path, Error *error) {

@@ -3,12 +3,17 @@
 #define CAPSELLA_LAWS_SEARCH_H
 
 #include "base/status.h"
+#include <stdbool.h>
 #include <stddef.h>
 
 /* Folders in the order they are searched; made by law_search_default. */
 typedef struct {
   char **folder;
   size_t n;
+  size_t n_foreign; /* the folders from here on belong to the program */
+  /* Asked before a file that is not the program's is opened; NULL: none is asked.  On refusal (STATUS_INPUT)
+   * the message is the reason, without the file's name. */
+  Status (*admit)(const char *file, Error *error);
 } LawSearch;
 
 /* The scene's folder (may be NULL), then MLAW_PLUGIN_PATH (colon-separated), then `plugins` beside the
@@ -16,6 +21,9 @@ typedef struct {
  * Duplicates, empty entries and folders that do not exist are dropped. */
 Status law_search_default(LawSearch *search, const char *scene_folder, Error *error);
 void law_search_free(LawSearch *search);
+
+/* Does the file, an absolute path without links, lie in a folder of the program? */
+bool law_search_owns(const LawSearch *search, const char *file);
 
 /* Plugin files: path, and name without folder and `.so`; made by law_search_files. */
 typedef struct {

@@ -2,6 +2,7 @@
 
 #include "base/array.h"
 #include "base/file.h"
+#include "laws/conformance.h"
 #include "mesh/surface.h"
 #include <math.h>
 #include <stdarg.h>
@@ -84,6 +85,7 @@ static Status load_laws(Simulation *s, Log *log, Error *error) {
   memcpy(place.P, s->flow.vorticity_axis, sizeof place.P);
   TRY(file_folder(&folder, s->scene->file, error));
   TRY(law_search_default(&search, folder.data, error));
+  if (s->scene->membrane.check_laws) search.admit = conformance_admit;
   TRY(pin_fields(&s->scene->membrane.elastic, folder.data, error));
   TRY(pin_fields(&s->scene->membrane.damage, folder.data, error));
   TRY(material_new(&s->material, s->scene, &search, &s->scales, &place, log, error));

@@ -40,7 +40,7 @@ static const LongerEnergy law = {{.size = sizeof(LongerEnergy),
                                   .eval = sound_eval},
                                  NULL};
 static const LongerDamage damage = {{.size = sizeof(LongerDamage),
-                                     .id = "from_the_future",
+                                     .id = "from_the_future.damage",
                                      .title = "Fixture",
                                      .source = "none",
                                      .params = &params[0].now,

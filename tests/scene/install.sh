@@ -26,6 +26,7 @@ plugindir=$(pkg-config --variable=plugindir mlaw | sed 's/\\ / /g') # it writes 
 check_both_ways() {
   rm -r "$1/mlaw"
   quietly make -C "$1" check MLAW="$(pkg-config --cflags mlaw)"
+  if grep -q 'warning:' log; then fail "the compiler warns of a new law: $(cat log)"; fi
   quietly cmake -S "$1" -B "$1/build" -DCMAKE_PREFIX_PATH="$prefix"
   quietly cmake --build "$1/build"
   quietly ctest --test-dir "$1/build"

@@ -8,8 +8,8 @@ fails() {
   law=$1
   shift
   code=0
-  "$capsella" run "$root/configs/inflation_monotone.yaml" --quiet -o "$law" --set capsule.mesh.subdivisions=1 "$@" \
-    2>message || code=$?
+  "$capsella" run "$root/configs/inflation_monotone.yaml" --quiet -o "$law" --set capsule.mesh.subdivisions=1 \
+    --set membrane.check_laws=false "$@" 2>message || code=$?
   [ "$code" = 1 ] || fail "$law: exit code $code"
   grep -q "laws check --replay $law/law_failure.yaml" message || fail "$law: the file is not named: $(cat message)"
 }

@@ -124,6 +124,8 @@ START_TEST(check_of_nothing_is_an_input_error) {
   ck_assert_int_eq(laws("check nothing.so"), 2);
   expect_output("nothing.so: not a file that can be read");
   ck_assert_int_eq(laws("check plugins/skalak.so --only nonsense"), 2);
+  ck_assert_int_eq(laws("check plugins/skalak.so --time-limit soon"), 2);
+  expect_output("expected a number of seconds after --time-limit, found 'soon'");
   ck_assert_int_eq(laws("check --help"), 0);
   expect_output("usage: capsella laws check");
 }

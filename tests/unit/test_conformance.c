@@ -32,7 +32,7 @@ START_TEST(every_law_that_ships_passes_every_test) {
   LawFiles files;
   static char plugins[] = PLUGINS;
   char *folders[] = {plugins};
-  const LawSearch search = {folders, 1};
+  const LawSearch search = {.folder = folders, .n = 1};
   ck_assert_int_eq(law_search_files(&search, &files, &error), STATUS_OK);
   ck_assert_uint_ge(files.n, 3);
   for (size_t i = 0; i < files.n; i++) expect_all_passed(files.path[i]);
@@ -122,6 +122,21 @@ START_TEST(a_law_that_ran_out_of_time_is_named_and_not_asked_again) {
 }
 END_TEST
 
+START_TEST(a_run_admits_only_a_plugin_that_passes) {
+  Error error;
+  if (getenv("CK_FORK")) return; /* as above */
+  ck_assert_int_eq(conformance_admit(PLUGINS "/skalak.so", &error), STATUS_OK);
+  ck_assert_int_eq(conformance_admit(BUILD_DIR "/tests/abi/older.so", &error), STATUS_OK);
+  ck_assert_int_eq(conformance_admit(BROKEN "/from_the_future.so", &error), STATUS_OK);
+  ck_assert_int_eq(conformance_admit(BROKEN "/overrun.so", &error), STATUS_INPUT);
+  ck_assert_ptr_nonnull(
+      strstr(error.text, "overrun: contract/no-overrun failed: expected entries n .. ld-1"));
+  ck_assert_ptr_nonnull(strstr(error.text, "laws check " BROKEN "/overrun.so"));
+  ck_assert_int_eq(conformance_admit(BROKEN "/crashes_at_load.so", &error), STATUS_INPUT);
+  ck_assert_ptr_nonnull(strstr(error.text, "load/opens-now-local crashed: ended by signal 11"));
+}
+END_TEST
+
 START_TEST(only_runs_the_tests_that_match) {
   ConformanceReport report = check_file(PLUGINS "/skalak.so", "^energy/(zero|positive)", 10.0);
   ck_assert_uint_eq(report.n, 3); /* with opens-now-local, without which nothing can be said */
@@ -155,6 +170,7 @@ int main(void) {
   tcase_add_loop_test(group, every_fault_is_caught_by_the_test_made_for_it, 0,
                       sizeof faults / sizeof *faults);
   tcase_add_test(group, a_law_that_ran_out_of_time_is_named_and_not_asked_again);
+  tcase_add_test(group, a_run_admits_only_a_plugin_that_passes);
   tcase_add_test(group, only_runs_the_tests_that_match);
   tcase_add_test(group, a_wrong_call_is_an_input_error);
   Suite *suite = suite_create("conformance");

@@ -49,6 +49,7 @@ static Point sheet_pure_shear(Slope *s, double l) {
   }
 
 static const double c2 = -0.2, c3 = 0.05, J_m = 9.0, b = 0.8;
+SHEET(neo_hookean, G + 0.0 * x)
 SHEET(yeoh, G *(1.0 + 2.0 * c2 * x + 3.0 * c3 * x * x))
 SHEET(gent, G *J_m / (J_m - x))
 SHEET(fung, G *exp(b *x))
@@ -62,6 +63,19 @@ static Point mooney_rivlin_equibiaxial(double l) {
 }
 static Point mooney_rivlin_pure_shear(double l) {
   return (Point){l, 1.0, G * (l * l - pow(l, -2.0)) / l};
+}
+
+/* T1 = G (l1/l2) [l1^2 - 1 + C l2^2 (l1^2 l2^2 - 1)]; pulled one way, l2^2 = (1 + C l1^2)/(1 + C l1^4). */
+static const double C = 1.5;
+static Point skalak_uniaxial(double l) {
+  const double left = 1.0 + C * pow(l, 4.0), l2 = sqrt((1.0 + C * l * l) / left);
+  return (Point){l, l2, G * (l / l2) * (l * l - 1.0) * (1.0 + C * l2 * l2 / left)};
+}
+static Point skalak_equibiaxial(double l) {
+  return (Point){l, l, G * (l * l - 1.0) * (1.0 + C * l * l * (l * l + 1.0))};
+}
+static Point skalak_pure_shear(double l) {
+  return (Point){l, 1.0, G * (1.0 + C) * l * (l * l - 1.0)};
 }
 
 /* Plane stress with E_s = 2 G (1 + nu): force E_s e1 along the reference direction, T = force l1/l2. */
@@ -119,6 +133,8 @@ typedef struct {
 #define CURVES(law) law##_uniaxial, law##_equibiaxial, law##_pure_shear
 
 static const Case cases[] = {
+    {"neo_hookean", {"G_s"}, {1.3}, 1, 3.9, CURVES(neo_hookean)},
+    {"skalak", {"G_s", "C"}, {1.3, 1.5}, 2, 1.3 * 4.0, CURVES(skalak)},
     {"hooke", {"G_s", "nu_s"}, {1.3, 0.4}, 2, 1.3 * 1.4 / 0.6, CURVES(hooke)},
     {"st_venant_kirchhoff", {"G_s", "K_s"}, {1.3, 5.0}, 2, 5.0, CURVES(st_venant_kirchhoff)},
     {"evans_skalak", {"G_s", "K_s"}, {1.3, 5.0}, 2, 5.0, CURVES(evans_skalak)},

@@ -111,7 +111,7 @@ START_TEST(a_file_that_is_there_but_cannot_serve_is_not_passed_over) {
   snprintf(path, sizeof path, "%s/skalak.so", folder);
   ck_assert_int_eq(file_write(path, "not a shared object", 19, &error), STATUS_OK);
   char *folders[] = {folder, plugins};
-  const LawSearch search = {folders, 2};
+  const LawSearch search = {.folder = folders, .n = 2};
   ck_assert_int_eq(law_load(&law, LAW_ENERGY, "skalak", &search, &error), STATUS_INPUT);
   expect_in(&error, path);
   expect_in(&error, "cannot be opened: ");
@@ -132,6 +132,23 @@ START_TEST(reasons_of_the_plugin_reach_the_report) {
   expect_in(&error, BROKEN "/wrong_major.so: the plugin speaks ABI 2");
   error = refusal(LAW_ENERGY, "newer_minor");
   expect_in(&error, "1.700");
+}
+END_TEST
+
+static Status admit_none(const char *file, Error *error) {
+  return error_set(error, STATUS_INPUT, "%s is not wanted", file);
+}
+
+START_TEST(the_host_may_refuse_a_file_that_is_not_its_own_before_it_is_opened) {
+  Error error;
+  LoadedLaw law;
+  LawSearch search = test_search(); /* of two folders, of which the second is the program's */
+  search.n_foreign = 1;
+  search.admit = admit_none;
+  ck_assert_int_eq(law_load(&law, LAW_ENERGY, "hole", &search, &error), STATUS_OK);
+  law_release(&law);
+  ck_assert_int_eq(law_load(&law, LAW_ENERGY, "skalak", &search, &error), STATUS_INPUT);
+  expect_in(&error, PLUGINS "/skalak.so: " PLUGINS "/skalak.so is not wanted");
 }
 END_TEST
 
@@ -175,6 +192,7 @@ int main(void) {
                                 a_law_of_the_other_kind_is_no_answer,
                                 a_file_that_is_there_but_cannot_serve_is_not_passed_over,
                                 a_folder_in_place_of_a_file_is_said_to_be_one,
-                                reasons_of_the_plugin_reach_the_report, an_empty_search_says_so,
-                                the_failure_of_any_allocation_is_reported, NULL});
+                                reasons_of_the_plugin_reach_the_report,
+                                the_host_may_refuse_a_file_that_is_not_its_own_before_it_is_opened,
+                                an_empty_search_says_so, the_failure_of_any_allocation_is_reported, NULL});
 }

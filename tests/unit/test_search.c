@@ -58,7 +58,7 @@ START_TEST(files_come_in_search_order_then_by_name_and_have_their_stem) {
     }
   }
   char *in_order[] = {folders[1], folders[0]};
-  const LawSearch search = {in_order, 2};
+  const LawSearch search = {.folder = in_order, .n = 2};
   ck_assert_int_eq(law_search_files(&search, &files, &error), STATUS_OK);
   ck_assert_uint_eq(files.n, 4);
   static const char *const expected[] = {"a", "b", "a", "b"};
@@ -82,7 +82,7 @@ START_TEST(a_folder_that_does_not_exist_holds_no_files) {
   LawFiles files;
   static char nowhere[] = "/nowhere/at/all";
   char *folders[] = {nowhere};
-  const LawSearch search = {folders, 1};
+  const LawSearch search = {.folder = folders, .n = 1};
   ck_assert_int_eq(law_search_files(&search, &files, &error), STATUS_OK);
   ck_assert_uint_eq(files.n, 0);
   law_files_free(&files);

@@ -12,6 +12,11 @@
 #include <math.h>
 #include <mlaw/mlaw.h>
 
+/* Fields that an initializer does not name are zero, as C and C++20 say; g++ warns of them all the same. */
+#if defined(__cplusplus) && defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
+#endif
+
 /* ---- Tables ---- */
 
 /* The first fields of a row of parameters or variables, by what it measures:
