@@ -1,6 +1,7 @@
 /* capsella study: many runs, one folder. */
 #include "app/commands.h"
 #include "app/interrupt.h"
+#include "study/ranks.h"
 #include "study/study_run.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,12 +14,13 @@ static const char USAGE[] =
 static const char HELP[] =
     "\n"
     "  -o DIR            where results go (default: results/NAME, NAME of the study)\n"
-    "  --jobs N          cases side by side (default: one for each processor)\n"
+    "  --jobs N          cases side by side (default: one for each processor; under MPI one)\n"
     "  --resume          take over the cases that DIR holds already\n"
     "  --set KEY=VALUE   replace a value of the study's scene\n"
     "  --threads N       threads of each case (default: 1)\n"
     "  --quiet           no progress\n"
     "\n"
+    "Under MPI (mpirun -n 4 capsella study ...) the cases are spread over the ranks, --jobs on each.\n"
     "DIR receives table.csv, summary.json and a folder of results for each case. Neither jobs nor threads "
     "nor a\n"
     "stop and --resume change the table. Ctrl-C stops all cases after their current step.\n"
@@ -86,6 +88,17 @@ static void print_end(const char *folder, const StudyEnd *end) {
   printf("; results in %s\n", folder);
 }
 
+static Status lead(const StudyOptions *options, Error *error) {
+  Text folder = {0};
+  StudyEnd end;
+  Status status = study_run(options, &folder, &end, error);
+  if (status == STATUS_OK && !options->runner.quiet) print_end(folder.data, &end);
+  if (status == STATUS_OK && end.count.cases > 0 && end.count.failed == end.count.cases)
+    status = error_set(error, STATUS_FAILED, "all cases failed: see %s/table.csv", folder.data);
+  text_free(&folder);
+  return status;
+}
+
 int command_study(int argc, char **argv) {
   const char *sets[MAX_SETS];
   StudyOptions options = {.sets = sets, .runner = {.progress = stderr, .interrupt = interrupt_flag()}};
@@ -93,15 +106,10 @@ int command_study(int argc, char **argv) {
   if (parsed >= 0) return parsed;
   interrupt_catch();
   Error error;
-  Text folder = {0};
-  StudyEnd end;
-  Status status = study_run(&options, &folder, &end, &error);
-  if (status != STATUS_OK)
-    fprintf(stderr, "%s\n", error.text);
-  else if (!options.runner.quiet)
-    print_end(folder.data, &end);
-  if (status == STATUS_OK && end.count.cases > 0 && end.count.failed == end.count.cases)
-    status = STATUS_FAILED;
-  text_free(&folder);
+  Status status = ranks_open(&error);
+  if (status == STATUS_OK)
+    status = ranks_own() == 0 ? lead(&options, &error) : runner_serve(&options.runner, &error);
+  if (status != STATUS_OK) fprintf(stderr, "%s\n", error.text);
+  ranks_close();
   return exit_code(status);
 }

@@ -22,23 +22,26 @@ typedef struct {
 
 typedef struct Launcher Launcher;
 
-/* `program` is what is run; NULL: the program that calls. */
+/* `slots` on each rank; `program` is what is run, NULL: the program that calls. */
 Status launcher_new(Launcher **launcher, int slots, const char *program, Error *error);
 /* Ends what is still running. */
 void launcher_free(Launcher *launcher);
 
-int launcher_slots(const Launcher *launcher);
+int launcher_slots(const Launcher *launcher); /* of all ranks */
 
 /* Starts a job in a slot that is free. */
 Status launcher_start(Launcher *launcher, int slot, const Job *job, Error *error);
 
 /* A process that has ended, if any has by now; waits a few milliseconds at most. */
-JobEnd launcher_poll(Launcher *launcher);
+Status launcher_poll(Launcher *launcher, JobEnd *end, Error *error);
 
 /* Returns when no process holds the lock of a job any more. */
 void launcher_await_lock(const char *path);
 
 /* Asks all processes to stop after their current step. */
 void launcher_stop(Launcher *launcher);
+
+/* On a rank other than 0: starts what rank 0 asks for, until that lets it go.  `interrupt` as in a run. */
+Status launcher_serve(Launcher *launcher, const volatile int *interrupt, Error *error);
 
 #endif

@@ -9,6 +9,7 @@
 #include "study/journal.h"
 #include "study/label.h"
 #include "study/launcher.h"
+#include "study/ranks.h"
 #include "study/study_progress.h"
 #include <errno.h>
 #include <math.h>
@@ -409,7 +410,8 @@ Status runner_wait(Runner *runner, Error *error) {
       stopped = true;
     }
     study_progress_show(&runner->progress, runner->running);
-    const JobEnd end = launcher_poll(runner->launcher);
+    JobEnd end;
+    TRY(launcher_poll(runner->launcher, &end, error));
     if (end.slot < 0) continue;
     TRY(finish(runner, end, error));
     ended = true;
@@ -482,7 +484,9 @@ cleanup:
   return status;
 }
 
+/* Under MPI it is for mpirun to say how many ranks a machine bears. */
 static int default_jobs(void) {
+  if (ranks_count() > 1) return 1;
   const long processors = sysconf(_SC_NPROCESSORS_ONLN);
   return processors > 0 ? (int)processors : 1;
 }
@@ -497,11 +501,12 @@ Status runner_new(Runner **made, const Study *study, const char *folder, const R
   runner->keep_states = study->kind->keeps_states;
   runner->journal.handle = -1;
   if (runner->options.threads == 0) runner->options.threads = 1;
-  const int slots = options->jobs > 0 ? options->jobs : default_jobs();
+  const int own = options->jobs > 0 ? options->jobs : default_jobs();
   TRY(journal_open(&runner->journal, folder, error));
   if (!options->resume) TRY(forget_earlier(runner, error));
   TRY(write_scene(runner, study, error));
-  TRY(launcher_new(&runner->launcher, slots, options->program, error));
+  TRY(launcher_new(&runner->launcher, own, options->program, error));
+  const int slots = launcher_slots(runner->launcher);
   TRY(ARRAY_NEW(&runner->in_slot, slots, error));
   for (int slot = 0; slot < slots; slot++) runner->in_slot[slot] = -1;
   study_progress_start(&runner->progress, options->progress, options->quiet, slots);
@@ -511,6 +516,14 @@ cleanup:
     runner = NULL;
   }
   *made = runner;
+  return status;
+}
+
+Status runner_serve(const RunnerOptions *options, Error *error) {
+  Launcher *launcher = NULL;
+  Status status = launcher_new(&launcher, options->jobs > 0 ? options->jobs : 1, options->program, error);
+  if (status == STATUS_OK) status = launcher_serve(launcher, options->interrupt, error);
+  launcher_free(launcher);
   return status;
 }
 

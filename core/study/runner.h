@@ -44,6 +44,11 @@ typedef struct Runner Runner;
 /* `folder` exists and outlives the runner.  Writes FOLDER/scene.yaml, the base scene. */
 Status runner_new(Runner **runner, const Study *study, const char *folder, const RunnerOptions *options,
                   Error *error);
+
+/* On a rank of an MPI job other than 0: runs cases for rank 0 until its runner is freed. `options->interrupt`
+ * is not NULL. */
+Status runner_serve(const RunnerOptions *options, Error *error);
+
 /* Stops what is running; finished cases stay on disk. */
 void runner_free(Runner *runner);
 

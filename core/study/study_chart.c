@@ -67,11 +67,12 @@ static Status add_series(Drawing *drawing, const Curve *curve, size_t first, Err
   }
   if (!any || is_drawn(drawing, y)) return STATUS_OK;
   const Status status = describe(drawing, curve->name, first, &drawing->label[k], error);
-  drawing->series[drawing->n_series++] = (ChartSeries){.label = drawing->label[k].data,
-                                                       .x = drawing->study->axes[drawing->axis].numbers,
-                                                       .y = y,
-                                                       .n = drawing->n,
-                                                       .style = CHART_LINE_AND_MARKS};
+  drawing->series[drawing->n_series++] =
+      (ChartSeries){.label = drawing->label[k].length ? drawing->label[k].data : NULL,
+                    .x = drawing->study->axes[drawing->axis].numbers,
+                    .y = y,
+                    .n = drawing->n,
+                    .style = CHART_LINE_AND_MARKS};
   return status;
 }
 

@@ -64,6 +64,18 @@ wait $process
 [ $count -gt 2 ] || fail "the study was over before it could be killed twice"
 same one/table.csv killed/table.csv "the table after $count kills"
 
+# Spread over the ranks of an MPI job, it ends with the same table too.
+if ! command -v mpirun >/dev/null 2>&1; then
+  echo "skipped: mpirun is not installed"
+elif mpirun --allow-run-as-root --oversubscribe -n 2 "$@" -o ranks 2>message; then
+  same one/table.csv ranks/table.csv "the table under MPI"
+  [ "$(sed -n 's/^    "jobs": \([0-9]*\),$/\1/p' ranks/summary.json)" = 2 ] || fail "ranks: $(cat ranks/summary.json)"
+elif grep -q 'built without MPI' message; then
+  echo "skipped: the program was built without MPI"
+else
+  fail "under MPI: $(cat message)"
+fi
+
 # Without a value inside the bracket a row says so.
 sed 's/bracket: .*/bracket: [0.2, 0.25]/; s/find: .*/find: [Ca_c, Ca_l]/' study.yaml >outside.yaml
 "$capsella" study outside.yaml --quiet -o outside
