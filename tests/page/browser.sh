@@ -28,7 +28,7 @@ page_with() {
 opens() {
   page_with "$1" "$2"
   timeout 100 "$browser" --headless --no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader \
-    --user-data-dir="$work/profile" --window-size=1000,900 --timeout=90000 --enable-logging=stderr \
+    --user-data-dir="$work/profile" --window-size=760,700 --timeout=90000 --enable-logging=stderr \
     --dump-dom "file://$work/$1/probed.html" >"$1/dom.html" 2>"$1/browser.log" || fail "the browser on $1"
   sed -n '/<pre id="findings">/,/<\/pre>/p' "$1/dom.html" | sed 's/<[^>]*>//g' >"$1/findings.txt"
   ! grep -q 'INFO:CONSOLE\|ERROR:CONSOLE\|WARNING:CONSOLE' "$1/browser.log" ||

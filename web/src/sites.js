@@ -46,7 +46,7 @@ function numbers(sites, place) {
   for (const site of sites) {
     const at = site.number && place(site);
     if (!at) continue;
-    const known = clusters.find(cluster => Math.hypot(cluster.at[0] - at[0], cluster.at[1] - at[1]) < 12);
+    const known = clusters.find(cluster => Math.hypot(cluster.at[0] - at[0], cluster.at[1] - at[1]) < 20);
     if (known) known.numbers.add(site.number);
     else clusters.push({at, numbers: new Set([site.number])});
   }
