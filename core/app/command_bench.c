@@ -1,20 +1,11 @@
 /* capsella bench: run time against error on this machine, as a page of Markdown with pictures. */
 #include "app/commands.h"
+#include "app/help.h"
 #include "base/file.h"
 #include "benchmark/benchmark_page.h"
 #include <mlaw/mlaw.h>
 #include <stdio.h>
 #include <string.h>
-
-static const char USAGE[] =
-    "usage: capsella bench [--full] [-o DIR]\n"
-    "\n"
-    "Measures run time against error of two cases on a grid of mesh, method, integrator and tolerance, the "
-    "cost of one\n"
-    "evaluation and the accuracy of the single layer; writes benchmarks.md and its pictures.\n"
-    "\n"
-    "  --full   finer meshes and more points: a quarter of an hour or so (without: a few minutes)\n"
-    "  -o DIR   where they go (default: results/benchmarks)\n";
 
 /* plugins/constitutive/neo_hookean.c, linked in for comparison under this name. */
 const mlaw_plugin *compiled_in_plugin(uint32_t host_minor);
@@ -61,9 +52,7 @@ int command_bench(int argc, char **argv) {
     } else if (strcmp(argv[i], "-o") == 0 && i + 1 < argc) {
       folder = argv[++i];
     } else {
-      const bool help = strcmp(argv[i], "--help") == 0 || strcmp(argv[i], "-h") == 0;
-      fputs(USAGE, help ? stdout : stderr);
-      return help ? EXIT_DONE : EXIT_INPUT;
+      return help_refuse("bench", "expected options with their values", argv[i]);
     }
   }
   const Status status = bench(full, folder, &error);

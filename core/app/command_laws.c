@@ -1,27 +1,12 @@
 /* capsella laws: what laws there are and what each takes, printed from the descriptors alone. */
 #include "app/commands.h"
+#include "app/help.h"
 #include "base/array.h"
 #include "laws/plugin.h"
 #include "laws/search.h"
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
-
-static const char USAGE[] = "usage: capsella laws [list | show ID | plot ID | check FILE.so | new DIR]\n";
-
-static const char HELP[] =
-    "\n"
-    "  list [--markdown]      every law on the search path: kind, id, title, file\n"
-    "  show ID [--markdown]   one law: equations, parameters with units and ranges, moduli, channels, "
-    "source;\n"
-    "                         ID may be the path of a plugin, FILE.so or FILE.so#ID\n"
-    "  show ID --timing       the same, and nanoseconds per point\n"
-    "  plot ID [-o FILE.svg] [--set PARAMETER=VALUE]   tensions or damage against stretch, as a chart\n"
-    "  check FILE.so [--only REGEX] [--json]   does a plugin keep the rules, and are its laws sound?\n"
-    "  new DIR --kind KIND [--cxx] [--name ID]   a folder with a law that builds, to be changed into yours\n"
-    "\n"
-    "Laws are looked for in the folders of MLAW_PLUGIN_PATH (colon-separated), then in those of the "
-    "program.\n";
 
 static int fail(const Error *error) {
   fprintf(stderr, "capsella laws: %s\n", error->text);
@@ -134,21 +119,24 @@ cleanup:
   return status == STATUS_OK ? EXIT_DONE : fail(&error);
 }
 
+static int unknown(const char *what) {
+  const char *nearest = help_nearest("laws", what);
+  char message[96];
+  snprintf(message, sizeof message, "expected list, show, plot, check or new%s%s%s",
+           nearest ? " (did you mean '" : "", nearest ? nearest : "", nearest ? "'?)" : "");
+  return help_refuse("laws", message, what);
+}
+
 int command_laws(int argc, char **argv) {
   const char *what = argc > 1 ? argv[1] : "list";
-  if (strcmp(what, "--help") == 0 || strcmp(what, "-h") == 0) {
-    fputs(USAGE, stdout);
-    fputs(HELP, stdout);
-    return EXIT_DONE;
+  if (strcmp(what, "list") == 0) {
+    const bool markdown = argc == 3 && strcmp(argv[2], "--markdown") == 0;
+    if (argc > 2 && !markdown) return help_refuse("laws list", "expected no more than --markdown", argv[2]);
+    return list(markdown);
   }
-  if (strcmp(what, "list") == 0 && argc <= 2) return list(false);
-  if (strcmp(what, "list") == 0 && argc == 3 && strcmp(argv[2], "--markdown") == 0) return list(true);
-  if (strcmp(what, "show") == 0 && argc >= 3) return command_laws_show(argc - 1, argv + 1);
+  if (strcmp(what, "show") == 0) return command_laws_show(argc - 1, argv + 1);
   if (strcmp(what, "plot") == 0) return command_laws_plot(argc - 1, argv + 1);
   if (strcmp(what, "check") == 0) return command_laws_check(argc - 1, argv + 1);
   if (strcmp(what, "new") == 0) return command_laws_new(argc - 1, argv + 1);
-  fprintf(stderr,
-          "capsella laws: expected list, show ID, plot ID, new DIR or check FILE.so, found '%s%s%s'\n%s",
-          what, argc > 2 ? " " : "", argc > 2 ? argv[2] : "", USAGE);
-  return EXIT_INPUT;
+  return unknown(what);
 }

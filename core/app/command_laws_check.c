@@ -1,5 +1,6 @@
 /* capsella laws check: the conformance suite on one plugin, as text or as JSON. */
 #include "app/commands.h"
+#include "app/help.h"
 #include "laws/conformance.h"
 #include "laws/replay.h"
 #include "observe/json.h"
@@ -7,22 +8,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-static const char USAGE[] =
-    "usage: capsella laws check FILE.so [--only REGEX] [--time-limit SECONDS] [--json] "
-    "[--in-process]\n"
-    "       capsella laws check --replay FILE\n";
-
-static const char HELP[] =
-    "\n"
-    "  --only REGEX   only tests whose group/name matches, as in --only energy/ or --only 'hole|overrun'\n"
-    "  --time-limit SECONDS   for each test; 10 without it\n"
-    "  --json         one JSON object: file, results, counts\n"
-    "  --in-process   no process of its own for a test, for a debugger: a crash ends the check\n"
-    "  --replay FILE  evaluates again the points on which a law failed in a run, from its law_failure.yaml\n"
-    "\n"
-    "Each test runs in a process of its own.\n"
-    "Exit code: 0 every test passed (or did not apply), 1 some did not, 2 the call is wrong.\n";
 
 static void print_text(const char *file, const ConformanceReport *report) {
   for (size_t i = 0; i < report->n; i++) {
@@ -68,12 +53,6 @@ cleanup:
   return status;
 }
 
-static int refuse(const char *message, const char *found) {
-  fprintf(stderr, "capsella laws check: %s%s%s%s\n%s", message, found ? " '" : "", found ? found : "",
-          found ? "'" : "", USAGE);
-  return EXIT_INPUT;
-}
-
 static int fail(const Error *error) {
   fprintf(stderr, "capsella laws check: %s\n", error->text);
   return exit_code(error->code);
@@ -100,29 +79,25 @@ static bool parse_seconds(const char *text, double *seconds) {
 /* Fills in the options; -1 to go on, an exit code otherwise. */
 static int parse(int argc, char **argv, ConformanceOptions *options, bool *json) {
   for (int i = 1; i < argc; i++) {
-    if (strcmp(argv[i], "--help") == 0 || strcmp(argv[i], "-h") == 0) {
-      fputs(USAGE, stdout);
-      fputs(HELP, stdout);
-      return EXIT_DONE;
-    }
     if (strcmp(argv[i], "--json") == 0) {
       *json = true;
     } else if (strcmp(argv[i], "--in-process") == 0) {
       options->in_process = true;
     } else if (strcmp(argv[i], "--only") == 0) {
-      if (++i == argc) return refuse("expected a regular expression after --only", NULL);
+      if (++i == argc) return help_refuse("laws check", "expected a regular expression after --only", NULL);
       options->only = argv[i];
     } else if (strcmp(argv[i], "--time-limit") == 0) {
-      if (++i == argc) return refuse("expected a number of seconds after --time-limit", NULL);
+      if (++i == argc)
+        return help_refuse("laws check", "expected a number of seconds after --time-limit", NULL);
       if (!parse_seconds(argv[i], &options->time_limit))
-        return refuse("expected a number of seconds after --time-limit, found", argv[i]);
+        return help_refuse("laws check", "expected a number of seconds after --time-limit", argv[i]);
     } else if (argv[i][0] == '-' || options->file) {
-      return refuse("expected one file and options, found", argv[i]);
+      return help_refuse("laws check", "expected one file and options", argv[i]);
     } else {
       options->file = argv[i];
     }
   }
-  return options->file ? -1 : refuse("expected a file, found none", NULL);
+  return options->file ? -1 : help_refuse("laws check", "expected a file, found none", NULL);
 }
 
 int command_laws_check(int argc, char **argv) {

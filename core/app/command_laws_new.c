@@ -2,6 +2,7 @@
  * files are those of plugins/template and core/sdk/mlaw with other names. */
 #define _XOPEN_SOURCE 700 /* readlink */
 #include "app/commands.h"
+#include "app/help.h"
 #include "app/sdk_files.h"
 #include "base/file.h"
 #include "laws/loader.h"
@@ -10,16 +11,14 @@
 #include <string.h>
 #include <unistd.h>
 
-static const char USAGE[] = "usage: capsella laws new DIR --kind KIND [--cxx] [--name ID]\n";
-
 typedef struct {
-  const char *name, *template, *about;
+  const char *name, *template;
 } Kind;
 
 static const Kind KINDS[] = {
-    {"constitutive", "energy_law", "elasticity: an energy of the strain"},
-    {"damage", "explicit_damage_law", "damage as a function of the largest energy release rate so far"},
-    {"damage-general", "general_damage_law", "damage and history stepped in time, from any channel"},
+    {"constitutive", "energy_law"},
+    {"damage", "explicit_damage_law"},
+    {"damage-general", "general_damage_law"},
 };
 enum { N_KINDS = sizeof KINDS / sizeof *KINDS };
 
@@ -29,20 +28,8 @@ typedef struct {
   bool cxx;
 } Options;
 
-static void print_help(void) {
-  fputs(USAGE, stdout);
-  puts("\n  DIR          a folder that is not there yet; it receives the law, a Makefile, a CMakeLists.txt,\n"
-       "               the headers, and a scene\n"
-       "  --kind KIND");
-  for (int k = 0; k < N_KINDS; k++) printf("               %-15s %s\n", KINDS[k].name, KINDS[k].about);
-  puts("  --cxx        in C++ (C++20) in place of C\n"
-       "  --name ID    the law's id, such as acme.creep; the name of DIR without it");
-}
-
 static int refuse(const char *message, const char *found) {
-  fprintf(stderr, "capsella laws new: %s%s%s%s\n%s", message, found ? " '" : "", found ? found : "",
-          found ? "'" : "", USAGE);
-  return EXIT_INPUT;
+  return help_refuse("laws new", message, found);
 }
 
 static int fail(const Error *error) {
@@ -66,21 +53,17 @@ static const Kind *find_kind(const char *name) {
 static int parse(int argc, char **argv, Options *options) {
   for (int i = 1; i < argc; i++) {
     const char *option = argv[i];
-    if (strcmp(option, "--help") == 0 || strcmp(option, "-h") == 0) {
-      print_help();
-      return EXIT_DONE;
-    }
     if (strcmp(option, "--cxx") == 0) {
       options->cxx = true;
     } else if (strcmp(option, "--kind") == 0 || strcmp(option, "--name") == 0) {
-      if (++i == argc) return refuse("expected a value after", option);
+      if (++i == argc) return help_refuse("laws new", "expected a value after this option", option);
       if (option[2] == 'n') {
         options->id = argv[i];
       } else if (!(options->kind = find_kind(argv[i]))) {
-        return refuse("expected the kind constitutive, damage or damage-general, found", argv[i]);
+        return refuse("expected the kind constitutive, damage or damage-general", argv[i]);
       }
     } else if (option[0] == '-' || options->folder) {
-      return refuse("expected one folder and options, found", option);
+      return refuse("expected one folder and options", option);
     } else {
       options->folder = option;
     }
@@ -89,7 +72,7 @@ static int parse(int argc, char **argv, Options *options) {
   if (!options->kind) return refuse("expected --kind constitutive, damage or damage-general", NULL);
   if (!options->id) options->id = after_last(options->folder, '/');
   if (!law_id_is_valid(options->id))
-    return refuse("expected an id of lower-case letters, digits, _ and dots (--name vendor.name), found",
+    return refuse("expected an id of lower-case letters, digits, _ and dots (--name vendor.name)",
                   options->id);
   return -1;
 }

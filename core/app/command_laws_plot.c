@@ -1,5 +1,6 @@
 /* capsella laws plot: what a law does, as a chart. */
 #include "app/commands.h"
+#include "app/help.h"
 #include "base/array.h"
 #include "base/file.h"
 #include "laws/curves.h"
@@ -7,19 +8,6 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-
-static const char USAGE[] = "usage: capsella laws plot ID [-o FILE.svg] [--set PARAMETER=VALUE]...\n";
-
-static const char HELP[] =
-    "\n"
-    "  ID                      a law on the search path, or FILE.so or FILE.so#ID\n"
-    "  -o FILE.svg             where the chart goes (default: ID.svg)\n"
-    "  --set PARAMETER=VALUE   a parameter of the law, without unit\n"
-    "\n"
-    "A constitutive law: tensions against stretch, uniaxial, equibiaxial and in pure shear.\n"
-    "A damage law: damage, drive, threshold and tension of a neo-Hookean membrane (G_s = 1) that is "
-    "stretched\n"
-    "in pure shear at unit rate, unloaded, and stretched again.\n";
 
 enum { MAX_SETS = 64, POINTS = 241, CYCLE = 4 * (POINTS - 1) + 1 };
 
@@ -31,9 +19,7 @@ typedef struct {
 } Options;
 
 static int refuse(const char *message, const char *found) {
-  fprintf(stderr, "capsella laws plot: %s%s%s%s\n%s", message, found ? " '" : "", found ? found : "",
-          found ? "'" : "", USAGE);
-  return EXIT_INPUT;
+  return help_refuse("laws plot", message, found);
 }
 
 static int fail(const Error *error) {
@@ -59,17 +45,12 @@ static bool take_set(Options *options, const char *set) {
 static int parse(int argc, char **argv, Options *options) {
   for (int i = 1; i < argc; i++) {
     const char *argument = argv[i], *value = i + 1 < argc ? argv[i + 1] : NULL;
-    if (strcmp(argument, "--help") == 0 || strcmp(argument, "-h") == 0) {
-      fputs(USAGE, stdout);
-      fputs(HELP, stdout);
-      return EXIT_DONE;
-    }
     if (strcmp(argument, "-o") == 0 && value) {
       options->file = argv[++i];
     } else if (strcmp(argument, "--set") == 0 && value) {
-      if (!take_set(options, argv[++i])) return refuse("expected PARAMETER=VALUE after --set, found", value);
+      if (!take_set(options, argv[++i])) return refuse("expected PARAMETER=VALUE after --set", value);
     } else if (argument[0] == '-' || options->request) {
-      return refuse("expected one law and options with their values, found", argument);
+      return refuse("expected one law and options with their values", argument);
     } else {
       options->request = argument;
     }

@@ -1,8 +1,9 @@
 /* capsella laws show: one law, from its descriptor alone, as text or as a page of Markdown. */
 #include "app/commands.h"
+#include "app/help.h"
 #include "base/text.h"
-#include "laws/material.h"
 #include "benchmark/law_timing.h"
+#include "laws/material.h"
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -188,11 +189,8 @@ int command_laws_show(int argc, char **argv) {
   LoadedLaw law = {0};
   const bool markdown = argc == 3 && strcmp(argv[2], "--markdown") == 0;
   const bool timing = argc == 3 && strcmp(argv[2], "--timing") == 0;
-  const bool help = argc == 2 && (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0);
-  if (help || (argc != 2 && !markdown && !timing)) {
-    fputs("usage: capsella laws show ID [--markdown | --timing]\n", help ? stdout : stderr);
-    return help ? EXIT_DONE : EXIT_INPUT;
-  }
+  if (argc != 2 && !markdown && !timing)
+    return help_refuse("laws show", "expected one law and at most one option", argc > 2 ? argv[2] : NULL);
   TRY(law_search_default(&search, ".", &error)); /* a path is meant from where the user is */
   TRY(law_load(&law, LAW_ANY, argv[1], &search, &error));
   (markdown ? print_markdown : print_text)(&law, &search);

@@ -1,16 +1,11 @@
 /* capsella report: a picture of the last state in a folder of results. */
 #include "app/commands.h"
+#include "app/help.h"
 #include "run/report.h"
 #include "study/study_page.h"
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
-
-static const char USAGE[] =
-    "usage: capsella report DIR\n"
-    "\n"
-    "Draws the newest snapshot of DIR into DIR/capsule.svg, coloured by damage, and writes\n"
-    "the page DIR/report.html.  Of a study's folder, it makes the page.\n";
 
 static Status report_study(const char *folder, Text *written, Error *error) {
   Status status;
@@ -21,11 +16,8 @@ cleanup:
 }
 
 int command_report(int argc, char **argv) {
-  const bool help = argc == 2 && (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0);
-  if (argc != 2 || help || argv[1][0] == '-') {
-    fputs(USAGE, help ? stdout : stderr);
-    return help ? EXIT_DONE : EXIT_INPUT;
-  }
+  if (argc != 2 || argv[1][0] == '-')
+    return help_refuse("report", "expected one folder", argc > 1 ? argv[argc - 1] : NULL);
   Text written = {0};
   Error error;
   const Status status = study_page_is_study(argv[1]) ? report_study(argv[1], &written, &error)

@@ -1,5 +1,6 @@
 /* capsella study: many runs, one folder. */
 #include "app/commands.h"
+#include "app/help.h"
 #include "app/interrupt.h"
 #include "study/ranks.h"
 #include "study/study_run.h"
@@ -7,32 +8,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char USAGE[] =
-    "usage: capsella study STUDY.yaml [-o DIR] [--jobs N] [--resume] [--set KEY=VALUE]...\n"
-    "                      [--threads N] [--quiet]\n";
-
-static const char HELP[] =
-    "\n"
-    "  -o DIR            where results go (default: results/NAME, NAME of the study)\n"
-    "  --jobs N          cases side by side (default: one for each processor; under MPI one)\n"
-    "  --resume          take over the cases that DIR holds already\n"
-    "  --set KEY=VALUE   replace a value of the study's scene\n"
-    "  --threads N       threads of each case (default: 1)\n"
-    "  --quiet           no progress\n"
-    "\n"
-    "Under MPI (mpirun -n 4 capsella study ...) the cases are spread over the ranks, --jobs on each.\n"
-    "DIR receives table.csv, summary.json and a folder of results for each case. Neither jobs nor threads "
-    "nor a\n"
-    "stop and --resume change the table. Ctrl-C stops all cases after their current step.\n"
-    "Exit code: 0 done (also when single cases failed: they are rows of the table), 1 all cases failed or "
-    "the\n"
-    "study could not go on, 2 the input is wrong.\n";
-
 enum { MAX_SETS = 256, MOST = 4096 };
 
 static int refuse(const char *what, const char *found) {
-  fprintf(stderr, "capsella study: %s%s%s\n%s", what, found ? ", found " : "", found ? found : "", USAGE);
-  return EXIT_INPUT;
+  return help_refuse("study", what, found);
 }
 
 static bool parse_count(const char *text, int *count) {
@@ -48,11 +27,7 @@ static int parse(int argc, char **argv, StudyOptions *options, const char **sets
   for (int i = 1; i < argc; i++) {
     const char *argument = argv[i], *value = i + 1 < argc ? argv[i + 1] : NULL;
     const bool is_jobs = strcmp(argument, "--jobs") == 0;
-    if (strcmp(argument, "--help") == 0 || strcmp(argument, "-h") == 0) {
-      fputs(USAGE, stdout);
-      fputs(HELP, stdout);
-      return EXIT_DONE;
-    } else if (strcmp(argument, "--resume") == 0) {
+    if (strcmp(argument, "--resume") == 0) {
       options->runner.resume = true;
     } else if (strcmp(argument, "--quiet") == 0) {
       options->runner.quiet = true;
@@ -71,7 +46,7 @@ static int parse(int argc, char **argv, StudyOptions *options, const char **sets
                       value);
       i++;
     } else if (argument[0] == '-') {
-      return refuse("expected an option of the list below", argument);
+      return refuse("expected an option of the usage below", argument);
     } else if (options->path) {
       return refuse("expected one study", argument);
     } else {

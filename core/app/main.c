@@ -1,6 +1,6 @@
 /* The program: picks the subcommand. */
 #include "app/commands.h"
-#include "base/text.h"
+#include "app/help.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <stdbool.h>
@@ -9,18 +9,16 @@
 #include <string.h>
 #include <unistd.h>
 
+static int command_help(int argc, char **argv);
+
 static const struct {
   const char *name;
   int (*run)(int argc, char **argv);
-  const char *about;
   bool serial; /* computes nothing in threads, so it need not set them up */
 } COMMANDS[] = {
-    {"run", command_run, "run a scene: deformation, damage and rupture of a capsule", false},
-    {"study", command_study, "run many scenes: vary keys, find critical values", true},
-    {"laws", command_laws, "list the laws of membrane and damage, show one, start a new one", true},
-    {"report", command_report, "make a picture of the last state in a folder of results", true},
-    {"bench", command_bench, "measure run time against error on this machine", false},
-    {"manual", command_manual, "print every key of a scene file (Markdown)", true},
+    {"run", command_run, false},      {"study", command_study, true},  {"laws", command_laws, true},
+    {"report", command_report, true}, {"bench", command_bench, false}, {"manual", command_manual, true},
+    {"help", command_help, true},
 };
 enum { N_COMMANDS = sizeof COMMANDS / sizeof *COMMANDS };
 
@@ -29,22 +27,36 @@ int exit_code(Status status) {
   return status == STATUS_INPUT ? EXIT_INPUT : EXIT_FAILED;
 }
 
-static void print_help(void) {
-  puts("Capsella computes how a microcapsule deforms, is damaged and ruptures in a viscous flow.\n\n"
-       "usage: capsella COMMAND [ARGUMENTS]\n");
-  for (size_t i = 0; i < N_COMMANDS; i++) printf("  %-8s %s\n", COMMANDS[i].name, COMMANDS[i].about);
-  puts("\n  capsella COMMAND --help   what a command takes\n"
-       "  capsella --version        version");
+static int print_help(const HelpPage *page) {
+  Text text = {0};
+  Error error;
+  const Status status = help_print(page, &text, &error);
+  if (status == STATUS_OK)
+    fputs(text.data, stdout);
+  else
+    fprintf(stderr, "%s\n", error.text);
+  text_free(&text);
+  return exit_code(status);
 }
 
 static int unknown_command(const char *name) {
-  const char *names[N_COMMANDS];
-  for (size_t i = 0; i < N_COMMANDS; i++) names[i] = COMMANDS[i].name;
-  const char *nearest = text_nearest(name, names, N_COMMANDS);
+  const char *nearest = help_nearest("", name);
   fprintf(stderr, "capsella: expected a command, found '%s'", name);
   if (nearest) fprintf(stderr, "; did you mean '%s'?", nearest);
   fprintf(stderr, "\nTry: capsella --help\n");
   return EXIT_INPUT;
+}
+
+static int command_help(int argc, char **argv) {
+  const HelpPage *page = help_find(argc - 1, argv + 1);
+  return page ? print_help(page) : unknown_command(argv[1]);
+}
+
+/* Whether the arguments ask for the help of their command. */
+static bool asks_for_help(int argc, char **argv) {
+  for (int i = 1; i < argc; i++)
+    if (strcmp(argv[i], "--help") == 0 || strcmp(argv[i], "-h") == 0) return true;
+  return false;
 }
 
 /* A standard stream that the caller has closed leaves its number to the next file that is opened, and
@@ -69,8 +81,8 @@ static void let_threads_sleep(char **argv) {
 
 static int run_command(int argc, char **argv) {
   if (argc < 2 || strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0) {
-    print_help();
-    return argc < 2 ? EXIT_INPUT : EXIT_DONE;
+    const int code = print_help(help_page(""));
+    return argc < 2 ? EXIT_INPUT : code;
   }
   if (strcmp(argv[1], "--version") == 0) {
     puts("capsella " CAPSELLA_VERSION);
@@ -78,6 +90,7 @@ static int run_command(int argc, char **argv) {
   }
   for (size_t i = 0; i < N_COMMANDS; i++) {
     if (strcmp(argv[1], COMMANDS[i].name) != 0) continue;
+    if (asks_for_help(argc - 1, argv + 1)) return print_help(help_find(argc - 1, argv + 1));
     if (!COMMANDS[i].serial) let_threads_sleep(argv);
     return COMMANDS[i].run(argc - 1, argv + 1);
   }

@@ -2,6 +2,7 @@
 #include "config/scene_field.h"
 
 #include "base/array.h"
+#include "config/scene_field_table.h"
 #include "config/yaml_print.h"
 #include <inttypes.h>
 #include <math.h>
@@ -11,32 +12,9 @@
 
 /* ---- The table ---- */
 
-typedef enum { ITEM_NUMBER, ITEM_QUANTITY, ITEM_POINT, ITEM_FILE, ITEM_HASH, ITEM_SEED } ItemType;
-typedef enum { ITEM_REQUIRED, ITEM_OPTIONAL } ItemNeed;
-
-typedef struct {
-  const char *key;
-  ItemType type;
-  ItemNeed need;
-  size_t offset; /* in SceneField */
-  bool positive; /* the number is above 0; otherwise at least 0 */
-  const char *meaning;
-} FieldItem;
-
-enum { MAX_ITEMS = 4 };
-
-/* `opening` is the key by which a kind is known: the first item, or for scatter a mapping of `items`, beside
- * which stand the items of SCATTER. */
-typedef struct {
-  const char *opening;
-  bool is_scatter;
-  FieldItem items[MAX_ITEMS + 1]; /* ends with a key of NULL */
-  const char *meaning;
-} FieldForm;
-
 #define AT(member) offsetof(SceneField, member)
 
-static const FieldForm FORMS[FIELD_KINDS] = {
+const FieldForm SCENE_FIELD_FORMS[FIELD_KINDS] = {
     [FIELD_AROUND] = {"around",
                       false,
                       {{"around", ITEM_POINT, ITEM_REQUIRED, AT(center), false,
@@ -87,7 +65,7 @@ static const FieldForm FORMS[FIELD_KINDS] = {
                        "scatter with every value between two ends equally likely"},
 };
 
-static const FieldItem SCATTER[] = {
+const FieldItem SCENE_FIELD_SCATTER[] = {
     {"seed", ITEM_SEED, ITEM_REQUIRED, AT(seed), false,
      "whole number of at most 15 digits; the same seed gives the same values"},
     {"correlation", ITEM_NUMBER, ITEM_OPTIONAL, AT(correlation), false,
@@ -239,7 +217,7 @@ static Status read_items(const FieldReading *reading, const YamlNode *node, cons
 /* The kind by its opening key. */
 static Status read_kind(const FieldReading *reading, const YamlNode *node) {
   const char *names[FIELD_KINDS];
-  for (int kind = 0; kind < FIELD_KINDS; kind++) names[kind] = FORMS[kind].opening;
+  for (int kind = 0; kind < FIELD_KINDS; kind++) names[kind] = SCENE_FIELD_FORMS[kind].opening;
   for (int kind = 0; kind < FIELD_KINDS; kind++) {
     if (!yaml_tree_find(node, names[kind])) continue;
     reading->field->kind = (FieldKind)kind;
@@ -258,7 +236,7 @@ static Status read_scatter(const FieldReading *reading, const YamlNode *node, co
   Status status;
   Text key = {0};
   const YamlNode *inner = yaml_tree_find(node, form->opening);
-  TRY(read_items(reading, node, SCATTER, form->opening));
+  TRY(read_items(reading, node, SCENE_FIELD_SCATTER, form->opening));
   TRY(text_append(&key, reading->error, "%s.%s", reading->key, form->opening));
   if (inner->kind != YAML_TREE_MAPPING)
     TRY(place_error(&inner->place, reading->error, "expected a mapping for `%s`, found %s", key.data,
@@ -287,7 +265,7 @@ Status scene_field_read(SceneField **field, const YamlNode *node, const char *ke
                          .to = absent};
   const FieldReading reading = {*field, key, error};
   TRY(read_kind(&reading, node));
-  const FieldForm *form = &FORMS[(*field)->kind];
+  const FieldForm *form = &SCENE_FIELD_FORMS[(*field)->kind];
   TRY(form->is_scatter ? read_scatter(&reading, node, form) : read_items(&reading, node, form->items, NULL));
 cleanup:
   return status;
@@ -352,13 +330,13 @@ cleanup:
 
 Status scene_field_print(const SceneField *field, Text *yaml, Error *error) {
   Status status;
-  const FieldForm *form = &FORMS[field->kind];
+  const FieldForm *form = &SCENE_FIELD_FORMS[field->kind];
   TRY(text_append(yaml, error, "{"));
   if (form->is_scatter) TRY(text_append(yaml, error, "%s: {", form->opening));
   TRY(print_items(field, form->items, yaml, error));
   if (form->is_scatter) {
     TRY(text_append(yaml, error, "}, "));
-    TRY(print_items(field, SCATTER, yaml, error));
+    TRY(print_items(field, SCENE_FIELD_SCATTER, yaml, error));
   }
   TRY(text_append(yaml, error, "}"));
 cleanup:
@@ -394,13 +372,13 @@ Status scene_field_print_manual(Text *markdown, Error *error) {
                   "are left.\nSnapshots hold the values as data of the cells.\n\n"
                   "| kind | key | value | meaning |\n|---|---|---|---|\n"));
   for (int k = 0; k < FIELD_KINDS; k++) {
-    const FieldForm *form = &FORMS[k];
+    const FieldForm *form = &SCENE_FIELD_FORMS[k];
     text_free(&kind);
     TRY(text_append(&kind, error, form->is_scatter ? "`%s: {...}`, %s" : "`%s`, %s", form->opening,
                     form->meaning));
     TRY(print_manual_items(kind.data, form->items, markdown, error));
   }
-  TRY(print_manual_items("beside any scatter", SCATTER, markdown, error));
+  TRY(print_manual_items("beside any scatter", SCENE_FIELD_SCATTER, markdown, error));
 cleanup:
   text_free(&kind);
   return status;

@@ -17,6 +17,10 @@ quietly() {
 "$capsella" laws list >list
 grep -q "$prefix/lib.*/capsella/plugins/skalak.so" list || fail "the installed laws are not found: $(cat list)"
 [ -f "$prefix/share/capsella/template/energy_law.c" ] || fail "the templates are not installed"
+for file in man/man1/capsella-run.1 bash-completion/completions/capsella zsh/site-functions/_capsella \
+  capsella/schema/scene.schema.json; do
+  [ -f "$prefix/share/$file" ] || fail "$file is not installed"
+done
 
 pkg-config --exists 'mlaw >= 1.1' || fail "pkg-config does not know mlaw 1.1"
 plugindir=$(pkg-config --variable=plugindir mlaw | sed 's/\\ / /g') # it writes blanks as a shell does
