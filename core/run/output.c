@@ -289,7 +289,7 @@ cleanup:
 }
 
 /* `number` is -1 when there is no snapshot. */
-static Status restore(Output *output, Simulation *s, Record *record, Log *log, int *number, Error *error) {
+Status output_restore(Output *output, Simulation *s, Record *record, Log *log, int *number, Error *error) {
   Status status = STATUS_OK;
   Text snapshot = {0};
   RestartItem items[MAX_RESTART_ITEMS];
@@ -306,7 +306,7 @@ Status output_resume(Output *output, Simulation *s, Record *record, Log *log, bo
   Status status = STATUS_OK;
   Text history = {0};
   int number;
-  TRY(restore(output, s, record, log, &number, error));
+  TRY(output_restore(output, s, record, log, &number, error));
   *found = number >= 0;
   if (!*found) goto cleanup;
   output->last_snapshot_t = s->motion->t;

@@ -41,6 +41,11 @@ Status output_row(Output *output, const HistoryRow *row, Error *error);
 /* The accepted state, with the record's probe there. */
 Status output_snapshot(Output *output, Simulation *simulation, Record *record, Error *error);
 
+/* Restores simulation and record from the newest whole snapshot of the folder, where nothing is changed;
+ * `number` is -1 when there is none. */
+Status output_restore(Output *output, Simulation *simulation, Record *record, Log *log, int *number,
+                      Error *error);
+
 /* Restores simulation and record from the newest whole snapshot of the folder, and takes up history and
  * series where that stands.  `found` is false when there is none: the run then starts anew. */
 Status output_resume(Output *output, Simulation *simulation, Record *record, Log *log, bool *found,
