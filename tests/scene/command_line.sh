@@ -128,7 +128,7 @@ same scene.schema.json share/capsella/schema/scene.schema.json "two ways to the 
 while read -r key; do
   grep -q "^ *\"$key\": {" scene.schema.json || fail "the schema of scenes lacks the key $key"
 done <keys
-! grep '": true' study.schema.json | grep -v -e additionalProperties -e '"\(schema\|name\|scene\|vary\)"' >shapeless ||
+! grep '": true' study.schema.json | grep -v -e additionalProperties -e '"default"' -e '"\(schema\|name\|scene\|vary\)"' >shapeless ||
   fail "keys of studies without a shape in core/study/json_schema.c: $(cat shapeless)"
 if python3 -c 'import jsonschema, yaml' 2>/dev/null; then
   python3 "$here/schema_check.py" scene.schema.json study.schema.json "$root/configs" "$capsella" ||
