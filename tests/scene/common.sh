@@ -27,11 +27,11 @@ same() {
   cmp -s "$1" "$2" || fail "$1 and $2 differ: $3"
 }
 
-# follow PAGE FEWEST_LINES FEWEST_SHOWN [FOLDER]...: does what a page of docs says, to the letter, in the folder
-# `empty` with the program on the PATH (and the FOLDERs before it).  ```sh: commands that are run; ```LANGUAGE FILE: that
+# follow PAGE FEWEST_LINES FEWEST_SHOWN [FOLDER]...: does what a page says, to the letter, in the folder
+# `empty` (which may hold what the page takes for granted) with the program on the PATH (and the FOLDERs before it).  ```sh: commands that are run; ```LANGUAGE FILE: that
 # file is written; ```text: each line is in the output.  A page that has lost its commands or its output fails.
 follow() {
-  page="$root/docs/$1" fewest=$2 fewest_shown=$3
+  page="$root/$1" fewest=$2 fewest_shown=$3
   shift 3
   path=$(printf '%s:' "$@" "$(dirname "$capsella")")
   awk '
@@ -42,7 +42,7 @@ follow() {
   [ "$(wc -l <commands)" -ge "$fewest" ] || fail "the page has lost its commands"
   awk '/^```text$/ { shown = 1; next } /^```/ { shown = 0 } shown { print }' "$page" >shown
   [ "$(wc -l <shown)" -ge "$fewest_shown" ] || fail "the page has lost its output"
-  mkdir empty
+  mkdir -p empty
   code=0
   (cd empty && PATH="$path$PATH" MLAW_PLUGIN_PATH='' sh -eu ../commands) >output 2>&1 || code=$?
   [ "$code" = 0 ] || fail "exit code $code: $(tail -n 20 output)"

@@ -7,9 +7,11 @@ skip() {
 }
 command -v pvpython >/dev/null 2>&1 || skip "ParaView is not installed"
 pvpython -c 'import paraview.simple' >/dev/null 2>&1 || skip "pvpython has no paraview.simple"
-if [ -z "${DISPLAY:-}" ]; then # a virtual one, and its number when it listens
+# Without a display, a virtual one; it writes its number when it listens.  ParaView opens and closes it more than once,
+# and without -noreset the server would start anew each time, at which the next opening may fail.
+if [ -z "${DISPLAY:-}" ]; then
   command -v Xvfb >/dev/null 2>&1 || skip "neither a display nor Xvfb"
-  Xvfb -displayfd 1 -screen 0 1280x1024x24 -nolisten tcp >display 2>/dev/null &
+  Xvfb -displayfd 1 -screen 0 1280x1024x24 -nolisten tcp -noreset >display 2>/dev/null &
   server=$!
   trap 'kill $server 2>/dev/null || true' EXIT
   while [ ! -s display ] && kill -0 $server 2>/dev/null; do sleep 0.1; done
@@ -18,7 +20,7 @@ if [ -z "${DISPLAY:-}" ]; then # a virtual one, and its number when it listens
   export DISPLAY
 fi
 
-follow paraview.md 30 6
+follow docs/paraview.md 30 6
 results=empty/results/small
 for words in points:nodes cells:elements; do
   [ "$(grep -c "\b$(number $results/summary.json "${words#*:}") ${words%:*}, " output)" = 2 ] || fail "${words%:*}: $(cat output)"

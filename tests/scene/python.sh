@@ -8,7 +8,7 @@ for python in python3 /usr/bin/python3; do
 done
 [ -e bin/python3 ] || { echo "skipped: no python3 with numpy, h5py and matplotlib" && exit 77; }
 
-follow python.md 30 1 "$PWD/bin"
+follow docs/python.md 30 1 "$PWD/bin"
 summary=empty/results/small/summary.json
 grep -qx "D12 = $(printf %.3f "$(number $summary D12)") at t = 3" output || fail "D12 is not that of the summary: $(cat output)"
 grep -q "^$(number $summary nodes) nodes, $(number $summary elements) elements" output || fail "the grid is not that of the summary"

@@ -3,7 +3,7 @@
 . "$(dirname "$0")/common.sh"
 
 command -v c++ >/dev/null 2>&1 || { echo "skipped: the page needs a C++ compiler" && exit 77; }
-follow writing-a-law.md 80 8
+follow docs/writing-a-law.md 80 8
 grep -q '</svg>' empty/soft.svg || fail "no chart of the law"
 for picture in tear soft; do
   grep -q '</svg>' "empty/results/$picture/capsule.svg" || fail "no picture of $picture"
