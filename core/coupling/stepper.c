@@ -61,9 +61,13 @@ cleanup:
   return status;
 }
 
+static bool is_unstable(const Stepper *s, double step) {
+  return !s->options.is_auto && step > stepper_stability_limit(s) / RADIUS_ERROR;
+}
+
 static Status check_fixed_step(const Stepper *s, Status code, Error *error) {
   const double limit = stepper_stability_limit(s) / RADIUS_ERROR;
-  if (s->options.is_auto || s->options.allow_unstable || s->options.fixed_step <= limit) return STATUS_OK;
+  if (s->options.allow_unstable || !is_unstable(s, s->options.fixed_step)) return STATUS_OK;
   return error_set(
       error, code,
       "time.step: %g at t = %g is beyond the stability limit %.3g of %s (spectral radius %.4g); write "
@@ -172,6 +176,7 @@ Status stepper_propose(Stepper *s, double t_limit, Log *log, Error *error) {
       const double e = scaled_error(s, h);
       if (e <= 1 || (!s->options.is_auto && isfinite(e))) {
         adapt_step(s, h, e);
+        s->memory.error_max = fmax(s->memory.error_max, e * s->options.tolerance);
         s->has_proposal = true;
         return STATUS_OK;
       }
@@ -216,6 +221,7 @@ void stepper_accept(Stepper *s) {
   s->v = s->v1;
   s->x1 = x;
   s->v1 = v;
+  s->memory.unstable_steps += is_unstable(s, s->t1 - s->memory.t);
   s->memory.t = s->t1;
   s->memory.steps++;
   s->memory.steps_since_rho++;

@@ -34,6 +34,8 @@ typedef struct {
   double rho;          /* spectral radius, as estimated */
   double steps_since_rho;
   double steps, rejected_steps;
+  double error_max;      /* of one step so far, as options.tolerance; above it only for fixed steps */
+  double unstable_steps; /* fixed steps beyond the stability limit that allow_unstable let pass */
 } StepperMemory;
 
 typedef struct {

@@ -87,6 +87,8 @@ Status summary_print(const Summary *summary, Text *text, Error *error) {
   put_shape(&json, summary);
   put_damage(&json, summary);
   json_number(&json, "energy_error_max", summary->energy_error_max);
+  json_number(&json, "step_error_max", summary->step_error_max);
+  json_integer(&json, "unstable_steps", summary->unstable_steps);
   put_cost(&json, summary);
   put_physical(&json, summary);
   if (summary->n_criteria > 0) verdicts_print_json(summary->criteria, summary->n_criteria, &json);

@@ -17,6 +17,9 @@
 /* A run is steady when its rates have stayed below stop.steady for this long. */
 static const double STEADY_TIME = 1.0;
 
+/* Fixed steps whose error is so many times the tolerance of automatic ones are warned of. */
+static const double LARGE_STEP_ERROR = 10;
+
 typedef struct {
   const RunOptions *options;
   Scene scene;
@@ -231,6 +234,10 @@ static Status write_summary(Run *run, Error *error) {
     summary.n_criteria = run->simulation.n_criteria;
   }
   summary.status = run->outcome;
+  const bool has_stepper = !simulation_is_inflation(&run->simulation);
+  const StepperMemory *memory = &run->simulation.stepper.memory;
+  summary.step_error_max = has_stepper ? memory->error_max : NAN;
+  summary.unstable_steps = has_stepper ? (long long)memory->unstable_steps : 0;
   summary.steps = motion->steps(motion);
   summary.rejected_steps = motion->rejected(motion);
   summary.evaluations = motion->evaluations(motion);
@@ -243,6 +250,23 @@ cleanup:
   array_free(verdicts);
   text_free(&path);
   return status;
+}
+
+/* Fixed steps go on whatever their error: what they are worth is told. */
+static void warn_of_steps(Run *run) {
+  const Stepper *stepper = &run->simulation.stepper;
+  if (simulation_is_inflation(&run->simulation) || stepper->options.is_auto) return;
+  const double ratio = stepper->memory.error_max / stepper->options.tolerance;
+  if (stepper->memory.unstable_steps > 0)
+    log_warning(&run->log,
+                "%.0f of %.0f steps were beyond the stability limit: shape and damage, rupture above all, "
+                "may be of the steps alone; write `time.step: auto`",
+                stepper->memory.unstable_steps, stepper->memory.steps);
+  if (ratio > LARGE_STEP_ERROR)
+    log_warning(&run->log,
+                "the error of the fixed steps reaches %.3g, that is %.3g times time.tolerance; write "
+                "`time.step: auto`, or a smaller step",
+                stepper->memory.error_max, ratio);
 }
 
 /* The last state: a row, a snapshot, the summary.  Also after a failure, from the last accepted state. */
@@ -258,6 +282,7 @@ static Status conclude(Run *run, Error *error) {
   if (run->output.last_snapshot_t != t)
     TRY(output_snapshot(&run->output, &run->simulation, &run->record, error));
   TRY(write_summary(run, error));
+  warn_of_steps(run);
   log_note(&run->log, "%s at t = %.6g, %lld evaluations, %.3g s", outcome_name(run->outcome), t,
            run->simulation.motion->evaluations(run->simulation.motion), run->record.data.wall_seconds);
 cleanup:

@@ -51,6 +51,14 @@ refused 2 '^scene.yaml:[0-9]+:[0-9]+: .*Y_d.*did you mean `Y_D`' scene.yaml
 edited 's/^  end: 2/  end: 2\n  integrator: rk2\n  step: 0.1/'
 refused 2 'step.*0.1.*stability limit' scene.yaml
 
+# A step that the user lets pass, and a stable one that is far too long: marked wherever the results are.
+"$capsella" run scene.yaml -o unstable --quiet --set time.allow_unstable=true --set time.end=0.3 || true
+grep -q 'warning: .*beyond the stability limit' unstable/log.txt || fail "unstable steps: $(cat unstable/log.txt)"
+[ "$(number unstable/summary.json unstable_steps)" -gt 0 ] || fail "unstable steps are not counted"
+"$capsella" run scene.yaml -o coarse --quiet --set time.integrator=rkc2 --set time.step=0.5
+grep -q 'warning: the error of the fixed steps' coarse/log.txt || fail "a step far too long: $(cat coarse/log.txt)"
+[ "$(number coarse/summary.json unstable_steps)" = 0 ] || fail "stable steps are counted as unstable"
+
 refused 2 'stop.steady.*expected `output.history_every` above 0' "$good" --set stop.steady=0.01 --set output.history_every=0
 
 # What is printed and does not arrive is a failure.

@@ -24,6 +24,8 @@ static const char *const keys[] = {"status",
                                    "t_l",
                                    "rupture",
                                    "energy_error_max",
+                                   "step_error_max",
+                                   "unstable_steps",
                                    "steps",
                                    "rejected_steps",
                                    "evaluations",
@@ -109,10 +111,16 @@ END_TEST
 START_TEST(what_there_is_not_is_null_and_never_nan) {
   Error error;
   Text text = {0};
-  const Summary summary = {
-      .status = OUTCOME_END, .beta = NAN, .d_max = 0, .t_c = NAN, .t_l = NAN, .energy_error_max = NAN};
+  const Summary summary = {.status = OUTCOME_END,
+                           .beta = NAN,
+                           .d_max = 0,
+                           .t_c = NAN,
+                           .t_l = NAN,
+                           .energy_error_max = NAN,
+                           .step_error_max = NAN};
   ck_assert_int_eq(summary_print(&summary, &text, &error), STATUS_OK);
-  const char *const without[] = {"beta", "d_max_location", "t_c", "t_l", "rupture", "energy_error_max"};
+  const char *const without[] = {"beta",    "d_max_location",   "t_c",           "t_l",
+                                 "rupture", "energy_error_max", "step_error_max"};
   for (size_t k = 0; k < sizeof without / sizeof *without; k++)
     ck_assert_msg(has_value(&text, without[k], "null,"), "%s", without[k]);
   ck_assert(has_value(&text, "skipped", "[]\n}"));
