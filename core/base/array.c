@@ -8,8 +8,10 @@ enum { ALIGNMENT = 64 };
 
 static _Thread_local long fail_countdown;
 
-void array_fail_nth(long n) {
+long array_fail_nth(long n) {
+  const long left = fail_countdown;
   fail_countdown = n;
+  return left;
 }
 
 void *array_allocate(size_t count, size_t size, const char *what, Error *error) {

@@ -18,7 +18,8 @@ void array_free(void *array);
   ((*(pointer) = array_allocate((size_t)(count), sizeof **(pointer), #pointer, error)) ? STATUS_OK           \
                                                                                        : (error)->code)
 
-/* For tests: the n-th allocation from now on fails (n >= 1); 0 turns this off. */
-void array_fail_nth(long n);
+/* For tests: the n-th allocation from now on fails (n >= 1); 0 turns this off.  Returns how many were left of
+ * an earlier n: 0 when that allocation has failed. */
+long array_fail_nth(long n);
 
 #endif

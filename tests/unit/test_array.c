@@ -50,8 +50,8 @@ START_TEST(only_the_nth_allocation_fails) {
       array_free(array);
     }
   }
-  array_fail_nth(1);
-  array_fail_nth(0); /* off again */
+  ck_assert_int_eq(array_fail_nth(1), 0); /* all have failed */
+  ck_assert_int_eq(array_fail_nth(0), 1); /* off again: one was left */
   void *array = array_allocate(1, 8, "array", &error);
   ck_assert_ptr_nonnull(array);
   array_free(array);
