@@ -1,5 +1,6 @@
 /* capsella run: one scene, one folder of results. */
 #include "app/commands.h"
+#include "app/guard.h"
 #include "app/help.h"
 #include "app/interrupt.h"
 #include "run/dry_run.h"
@@ -13,16 +14,21 @@ static int refuse(const char *what, const char *found) {
   return help_refuse("run", what, found);
 }
 
-static bool parse_threads(const char *text, int *threads) {
+static bool parse_count(const char *text, long least, int *count) {
   char *end;
   const long value = strtol(text, &end, 10);
-  if (*text == '\0' || *end != '\0' || value < 1 || value > 4096) return false;
-  *threads = (int)value;
+  if (*text == '\0' || *end != '\0' || value < least || value > 4096) return false;
+  *count = (int)value;
   return true;
 }
 
+typedef struct {
+  bool dry;
+  int law_timeout; /* seconds; 0: wait */
+} Manner;
+
 /* Fills in the options; -1 to go on, an exit code otherwise. */
-static int parse(int argc, char **argv, RunOptions *options, const char **sets, bool *dry) {
+static int parse(int argc, char **argv, RunOptions *options, const char **sets, Manner *manner) {
   for (int i = 1; i < argc; i++) {
     const char *argument = argv[i], *value = i + 1 < argc ? argv[i + 1] : NULL;
     if (strcmp(argument, "--resume") == 0) {
@@ -30,7 +36,7 @@ static int parse(int argc, char **argv, RunOptions *options, const char **sets, 
     } else if (strcmp(argument, "--quiet") == 0) {
       options->quiet = true;
     } else if (strcmp(argument, "--dry-run") == 0) {
-      *dry = true;
+      manner->dry = true;
     } else if (strcmp(argument, "-o") == 0) {
       if (!value || !*value) return refuse("-o needs a folder", NULL);
       options->folder = argv[++i];
@@ -40,8 +46,12 @@ static int parse(int argc, char **argv, RunOptions *options, const char **sets, 
       sets[options->n_sets++] = argv[++i];
     } else if (strcmp(argument, "--threads") == 0) {
       if (!value) return refuse("--threads needs a number", NULL);
-      if (!parse_threads(argv[++i], &options->threads))
+      if (!parse_count(argv[++i], 1, &options->threads))
         return refuse("--threads needs a number from 1 to 4096", value);
+    } else if (strcmp(argument, "--law-timeout") == 0) {
+      if (!value || !parse_count(value, 0, &manner->law_timeout))
+        return refuse("--law-timeout needs a number of seconds from 0 to 4096", value);
+      i++;
     } else if (argument[0] == '-') {
       return refuse("expected an option of the usage below", argument);
     } else if (options->scene_path) {
@@ -73,13 +83,14 @@ static Status compute(const RunOptions *options, Error *error) {
 
 int command_run(int argc, char **argv) {
   const char *sets[MAX_SETS];
-  bool dry = false;
+  Manner manner = {.law_timeout = 60};
   RunOptions options = {.sets = sets, .progress = stderr, .interrupt = interrupt_flag()};
-  const int parsed = parse(argc, argv, &options, sets, &dry);
+  const int parsed = parse(argc, argv, &options, sets, &manner);
   if (parsed >= 0) return parsed;
   interrupt_catch();
+  options.law_watch = guard_laws((unsigned)manner.law_timeout);
   Error error;
-  const Status status = (dry ? check_alone : compute)(&options, &error);
+  const Status status = (manner.dry ? check_alone : compute)(&options, &error);
   if (status != STATUS_OK) fprintf(stderr, "%s\n", error.text);
   return exit_code(status);
 }

@@ -33,6 +33,8 @@ const HelpPage HELP_PAGES[] = {
                  {.flag = "--resume", .about = "go on from the newest snapshot in DIR"},
                  {.flag = "--dry-run", .about = "check everything, estimate cost and memory, write nothing"},
                  THREADS("number of threads (default: all cores); results do not depend on it"),
+                 {.flag = "--law-timeout", .value = "S",
+                  .about = "end a run whose law does not come back for S seconds (default: 60; 0: wait)"},
                  QUIET},
      .text = "Ctrl-C stops after the current step and leaves a snapshot to resume from.\n"
              "Exit code: 0 done (end, steady or rupture), 1 the computation failed, 2 the input is wrong.",

@@ -5,6 +5,7 @@
 #include "mesh/p2.h"
 #include "mesh/quadrature.h"
 #include <math.h>
+#include <omp.h>
 #include <string.h>
 
 /* An element squeezed below this share of its reference area counts as inverted. */
@@ -230,6 +231,15 @@ static Status check_elements(const Membrane *m, BlockTask task, const ElementBlo
   return STATUS_OK;
 }
 
+void membrane_watch_laws(Membrane *m, LawWatch *watch) {
+  m->watch = watch;
+}
+
+/* The slot of this thread. */
+static LawWatch *watch_slot(const Membrane *m) {
+  return m->watch ? &m->watch[omp_get_thread_num() % LAW_WATCHES] : NULL;
+}
+
 /* Laws are called for one rule point of the block at a time: a range of consecutive points in every array. */
 static Status call_elastic_law(const Membrane *m, BlockTask task, int g, Error *error) {
   const ptrdiff_t k = g * m->n_elements + task.first;
@@ -249,7 +259,10 @@ static Status call_elastic_law(const Membrane *m, BlockTask task, int g, Error *
       .dphi = m->dphi + k,
       .failure = task.failure,
   };
+  LawWatch *slot = watch_slot(m);
+  law_watch_enter(slot, m->material->elastic.energy->id, task.t + task.dt, mesh_element(m, task.first));
   const Status status = material_elastic(m->material, &batch, &failing, error);
+  law_watch_leave(slot);
   if (status != STATUS_OK && failing >= 0)
     error_prefix(error, "element %d, integration point %d: ", mesh_element(m, task.first + (int)failing), g);
   return status;
@@ -287,7 +300,10 @@ static Status call_damage_law(const Membrane *m, BlockTask task, int g, Error *e
         memcpy(new->channel[c] + k, m->drive[c] + k, (size_t)task.n * sizeof(double));
       }
     }
+  LawWatch *slot = watch_slot(m);
+  law_watch_enter(slot, m->material->damage.damage->id, task.t + task.dt, mesh_element(m, task.first));
   const Status status = material_damage(m->material, &batch, &failing, error);
+  law_watch_leave(slot);
   if (status != STATUS_OK && failing >= 0)
     error_prefix(error, "element %d, integration point %d: ", mesh_element(m, task.first + (int)failing), g);
   return status;

@@ -9,6 +9,7 @@
 
 #include "base/status.h"
 #include "laws/material.h"
+#include "laws/watch.h"
 #include "membrane/mass.h"
 #include "mesh/mesh.h"
 #include "mesh/symmetry.h"
@@ -41,6 +42,9 @@ Status membrane_force(Membrane *membrane, const double *x, double t, double dt, 
 
 /* The batch on which a law failed in the last membrane_force; n is 0 when it did not. */
 const LawFailure *membrane_law_failure(const Membrane *membrane);
+
+/* From now on the laws being called are told in `watch` [LAW_WATCHES], which must outlive the membrane. */
+void membrane_watch_laws(Membrane *membrane, LawWatch *watch);
 
 /* M q = R on the surface at the positions of the last membrane_force (paper eq. 3.4a).  q [n_nodes][3] holds
  * the start of the iteration on entry. */

@@ -39,6 +39,7 @@ struct Membrane {
   Assembly assembly;
   MassSystem mass;
   LawFailure failure; /* of the last evaluation */
+  LawWatch *watch;    /* [LAW_WATCHES] or NULL */
 };
 
 #endif

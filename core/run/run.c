@@ -353,6 +353,7 @@ Status run_scene(const RunOptions *options, Outcome *outcome, Text *folder, Erro
   TRY(scene_read(&run.scene, options->scene_path, options->sets, options->n_sets, error));
   TRY(open_folder(&run, folder, error));
   TRY(simulation_new(&run.simulation, &run.scene, &run.log, error));
+  membrane_watch_laws(run.simulation.membrane, options->law_watch);
   TRY(record_new(&run.record, &run.simulation, error));
   log_parts(&run);
   TRY(output_open(&run.output, folder->data, &run.simulation, error));

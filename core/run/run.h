@@ -4,6 +4,7 @@
 
 #include "base/status.h"
 #include "base/text.h"
+#include "laws/watch.h"
 #include "observe/summary.h"
 #include <stdbool.h>
 #include <stdio.h>
@@ -18,7 +19,8 @@ typedef struct {
   bool quiet;
   FILE *progress; /* may be NULL */
   const volatile int
-      *interrupt; /* set to non-zero (by a signal handler) to stop after the current step; may be NULL */
+      *interrupt;      /* set to non-zero (by a signal handler) to stop after the current step; may be NULL */
+  LawWatch *law_watch; /* [LAW_WATCHES] filled in with the laws being called; may be NULL */
 } RunOptions;
 
 /* Runs to the end, to rupture, to a steady state or to an interrupt, and writes every output.  When the
