@@ -11,6 +11,7 @@
 struct Hdf {
   hid_t file;
   size_t front;
+  size_t length;     /* of the image that was opened */
   H5E_auto2_t print; /* how HDF5 told of errors before, put back by hdf_free */
   void *print_data;
 };
@@ -94,6 +95,7 @@ Status hdf_open(Hdf **hdf, const char *image, size_t length, Error *error) {
   void *copied =
       (void *)(uintptr_t)image; /* HDF5 copies it, though it asks for a pointer that may be written */
   if (H5Pset_file_image(access, copied, length) < 0) TRY(failed(error, "take in", "a file image"));
+  (*hdf)->length = length;
   (*hdf)->file = H5Fopen("memory", H5F_ACC_RDONLY, access);
   if ((*hdf)->file < 0) TRY(failed(error, "open", "a file image"));
 cleanup:
@@ -214,6 +216,14 @@ static HdfType known_type(hid_t type) {
   return class == H5T_INTEGER && size == 1 ? HDF_BYTE : HDF_OTHER;
 }
 
+/* Refuses what a forged file says to hold beyond its own size. */
+static Status check_size(const Hdf *hdf, const char *path, size_t count, size_t size, Error *error) {
+  if (hdf->length == 0 || size == 0 || count <= hdf->length / size) return STATUS_OK;
+  return error_set(error, STATUS_IO,
+                   "%s: expected at most the %zu bytes of the file, found %zu values of %zu bytes", path,
+                   hdf->length, count, size);
+}
+
 Status hdf_describe(Hdf *hdf, const char *path, HdfType *type, size_t *count, Error *error) {
   Status status = STATUS_OK;
   hid_t stored = H5I_INVALID_HID, space = H5I_INVALID_HID;
@@ -223,6 +233,7 @@ Status hdf_describe(Hdf *hdf, const char *path, HdfType *type, size_t *count, Er
   space = H5Dget_space(dataset);
   hssize_t points = space < 0 ? -1 : H5Sget_simple_extent_npoints(space);
   if (stored < 0 || points < 0) TRY(failed(error, "describe", path));
+  TRY(check_size(hdf, path, (size_t)points, H5Tget_size(stored), error));
   *type = known_type(stored);
   *count = (size_t)points;
 cleanup:
@@ -232,10 +243,15 @@ cleanup:
   return status;
 }
 
-Status hdf_read(Hdf *hdf, const char *path, HdfType type, void *values, Error *error) {
+Status hdf_read(Hdf *hdf, const char *path, HdfType type, size_t count, void *values, Error *error) {
+  HdfType stored;
+  size_t found;
+  Status status = hdf_describe(hdf, path, &stored, &found, error);
+  if (status != STATUS_OK) return status;
+  if (found != count)
+    return error_set(error, STATUS_IO, "%s: expected %zu values, found %zu", path, count, found);
   hid_t dataset = H5Dopen2(hdf->file, path, H5P_DEFAULT);
   if (dataset < 0) return failed(error, "open", path);
-  Status status = STATUS_OK;
   if (H5Dread(dataset, memory_type(type), H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0)
     status = failed(error, "read", path);
   H5Dclose(dataset);
@@ -244,6 +260,8 @@ Status hdf_read(Hdf *hdf, const char *path, HdfType type, void *values, Error *e
 
 Status hdf_read_text(Hdf *hdf, const char *path, Text *text, Error *error) {
   Status status = STATUS_OK;
+  HdfType kind;
+  size_t count;
   hid_t type = H5I_INVALID_HID;
   char *bytes = NULL;
   hid_t dataset = H5Dopen2(hdf->file, path, H5P_DEFAULT);
@@ -251,6 +269,8 @@ Status hdf_read_text(Hdf *hdf, const char *path, Text *text, Error *error) {
   type = H5Dget_type(dataset);
   if (type < 0 || H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) != 0)
     TRY(failed(error, "read as a text", path));
+  TRY(hdf_describe(hdf, path, &kind, &count, error));
+  if (count != 1) TRY(error_set(error, STATUS_IO, "%s: expected one text, found %zu", path, count));
   TRY(ARRAY_NEW(&bytes, H5Tget_size(type) + 1, error));
   if (H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes) < 0) TRY(failed(error, "read", path));
   TRY(text_append(text, error, "%s", bytes));

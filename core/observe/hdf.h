@@ -46,11 +46,12 @@ Status hdf_image(Hdf *hdf, char **image, size_t *length, Error *error);
 
 bool hdf_exists(Hdf *hdf, const char *path);
 
-/* Type and number of values of a dataset. HDF_INT is not told apart from HDF_LONG_LONG. */
+/* Type and number of values of a dataset, which are no more than the file has bytes for.  HDF_INT is not told
+ * apart from HDF_LONG_LONG. */
 Status hdf_describe(Hdf *hdf, const char *path, HdfType *type, size_t *count, Error *error);
 
-/* All values of a dataset into `values`; its size comes from hdf_describe. */
-Status hdf_read(Hdf *hdf, const char *path, HdfType type, void *values, Error *error);
+/* All values of a dataset, which must be `count`, into `values`. */
+Status hdf_read(Hdf *hdf, const char *path, HdfType type, size_t count, void *values, Error *error);
 Status hdf_read_text(Hdf *hdf, const char *path, Text *text, Error *error);
 
 /* Number of entries of a group, and the name of entry `index` in alphabetical order (appended). */

@@ -199,7 +199,7 @@ static Status take_item(Hdf *hdf, const RestartItem *item, bool is_read, Error *
   Text path = {0};
   Status status = item_path(item, &path, error);
   if (status == STATUS_OK)
-    status = is_read ? hdf_read(hdf, path.data, item_type(item), item_values(item), error)
+    status = is_read ? hdf_read(hdf, path.data, item_type(item), item->count, item_values(item), error)
                      : check_item(hdf, item, path.data, error);
   text_free(&path);
   return status;
@@ -223,7 +223,7 @@ Status snapshot_read_scene(const char *path, Text *scene, double *t, Error *erro
   Status status = open_sealed(path, &hdf, error);
   if (status != STATUS_OK) return status;
   if (scene) TRY(hdf_read_text(hdf, "/restart/scene", scene, error));
-  if (t) TRY(hdf_read(hdf, "/restart/t", HDF_DOUBLE, t, error));
+  if (t) TRY(hdf_read(hdf, "/restart/t", HDF_DOUBLE, 1, t, error));
 cleanup:
   if (status != STATUS_OK) error_prefix(error, "%s: ", path);
   hdf_free(hdf);
@@ -247,7 +247,7 @@ static Status read_elements(Hdf *hdf, SnapshotGrid *grid, Error *error) {
   Status status;
   TRY(count_rows(hdf, CONNECTIVITY, 6, &grid->n_elements, error));
   TRY(ARRAY_NEW(&grid->element, grid->n_elements, error));
-  TRY(hdf_read(hdf, CONNECTIVITY, HDF_INT, grid->element, error));
+  TRY(hdf_read(hdf, CONNECTIVITY, HDF_INT, 6 * (size_t)grid->n_elements, grid->element, error));
   for (int e = 0; e < grid->n_elements; e++)
     for (int k = 0; k < 6; k++)
       if (grid->element[e][k] < 0 || grid->element[e][k] >= grid->n_nodes)
@@ -272,7 +272,7 @@ static Status read_grid_field(Hdf *hdf, size_t index, SnapshotGrid *grid, Error 
   values = field->components * grid->n_nodes;
   TRY(ARRAY_NEW(&field->values, values, error));
   grid->n_fields++; /* from here on freed with the grid */
-  TRY(hdf_read(hdf, path.data, HDF_DOUBLE, field->values, error));
+  TRY(hdf_read(hdf, path.data, HDF_DOUBLE, (size_t)values, field->values, error));
 cleanup:
   text_free(&name);
   text_free(&path);
@@ -285,7 +285,7 @@ Status snapshot_read_grid(const char *path, SnapshotGrid *grid, Error *error) {
   *grid = (SnapshotGrid){0};
   Status status = open_sealed(path, &hdf, error);
   if (status != STATUS_OK) return status;
-  TRY(hdf_read(hdf, "/restart/t", HDF_DOUBLE, &grid->t, error));
+  TRY(hdf_read(hdf, "/restart/t", HDF_DOUBLE, 1, &grid->t, error));
   TRY(count_rows(hdf, "/VTKHDF/Points", 3, &grid->n_nodes, error));
   TRY(read_elements(hdf, grid, error));
   TRY(hdf_count(hdf, POINT_DATA, &count, error));

@@ -5,7 +5,7 @@
 #include <dirent.h>
 #include <string.h>
 
-enum { LONGEST = 1 << 20, TURNS = 200 };
+enum { LONGEST = 1 << 20, TURNS = 40 };
 
 static size_t read_input(const char *folder, const char *name, uint8_t *data) {
   char path[1024];

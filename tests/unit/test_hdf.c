@@ -48,13 +48,13 @@ START_TEST(arrays_come_back_bit_for_bit) {
   Hdf *hdf = reopened();
   double read[6];
   long long whole[4];
-  ck_assert_int_eq(hdf_read(hdf, "/a/numbers", HDF_DOUBLE, read, &error), STATUS_OK);
+  ck_assert_int_eq(hdf_read(hdf, "/a/numbers", HDF_DOUBLE, 6, read, &error), STATUS_OK);
   ck_assert_mem_eq(read, numbers, sizeof read);
-  ck_assert_int_eq(hdf_read(hdf, "/a/alias", HDF_DOUBLE, read, &error), STATUS_OK);
+  ck_assert_int_eq(hdf_read(hdf, "/a/alias", HDF_DOUBLE, 6, read, &error), STATUS_OK);
   ck_assert_mem_eq(read, numbers, sizeof read);
-  ck_assert_int_eq(hdf_read(hdf, "/a/integers", HDF_LONG_LONG, whole, &error), STATUS_OK);
+  ck_assert_int_eq(hdf_read(hdf, "/a/integers", HDF_LONG_LONG, 4, whole, &error), STATUS_OK);
   ck_assert_mem_eq(whole, integers, sizeof integers);
-  ck_assert_int_eq(hdf_read(hdf, "/a/small", HDF_LONG_LONG, whole, &error), STATUS_OK);
+  ck_assert_int_eq(hdf_read(hdf, "/a/small", HDF_LONG_LONG, 4, whole, &error), STATUS_OK);
   for (int k = 0; k < 4; k++) ck_assert_int_eq(whole[k], small[k]);
   hdf_free(hdf);
 }
@@ -136,8 +136,10 @@ START_TEST(failures_are_named_and_give_the_reason_of_hdf5) {
   ck_assert_ptr_null(hdf);
   ck_assert_ptr_nonnull(strstr(error.text, "signature"));
   hdf = reopened();
-  ck_assert_int_eq(hdf_read(hdf, "/a/nothing", HDF_DOUBLE, &value, &error), STATUS_IO);
+  ck_assert_int_eq(hdf_read(hdf, "/a/nothing", HDF_DOUBLE, 1, &value, &error), STATUS_IO);
   ck_assert_str_eq(error.text, "HDF5 cannot open /a/nothing: object 'nothing' doesn't exist");
+  ck_assert_int_eq(hdf_read(hdf, "/a/numbers", HDF_DOUBLE, 1, &value, &error), STATUS_IO); /* it holds six */
+  ck_assert_str_eq(error.text, "/a/numbers: expected 1 values, found 6");
   ck_assert_int_eq(hdf_write(hdf, "/b", HDF_DOUBLE, 1, 0, numbers, &error), STATUS_IO); /* read only */
   hdf_free(hdf);
   hdf_free(NULL);

@@ -138,7 +138,7 @@ static double *read_doubles(Hdf *hdf, const char *path, size_t expected) {
   ck_assert_int_eq(type, HDF_DOUBLE);
   ck_assert_uint_eq(count, expected);
   ck_assert_int_eq(ARRAY_NEW(&values, count, &error), STATUS_OK);
-  ck_assert_int_eq(hdf_read(hdf, path, HDF_DOUBLE, values, &error), STATUS_OK);
+  ck_assert_int_eq(hdf_read(hdf, path, HDF_DOUBLE, count, values, &error), STATUS_OK);
   return values;
 }
 
@@ -169,13 +169,13 @@ START_TEST(the_grid_is_quadratic_triangles_with_fields_at_nodes_and_cells) {
   ck_assert_int_eq(ARRAY_NEW(&ids, 6 * cells, &error), STATUS_OK);
   ck_assert_int_eq(ARRAY_NEW(&offsets, cells + 1, &error), STATUS_OK);
   ck_assert_int_eq(ARRAY_NEW(&types, cells, &error), STATUS_OK);
-  ck_assert_int_eq(hdf_read(hdf, "/VTKHDF/NumberOfPoints", HDF_LONG_LONG, &sizes[0], &error), STATUS_OK);
-  ck_assert_int_eq(hdf_read(hdf, "/VTKHDF/NumberOfCells", HDF_LONG_LONG, &sizes[1], &error), STATUS_OK);
-  ck_assert_int_eq(hdf_read(hdf, "/VTKHDF/NumberOfConnectivityIds", HDF_LONG_LONG, &sizes[2], &error),
+  ck_assert_int_eq(hdf_read(hdf, "/VTKHDF/NumberOfPoints", HDF_LONG_LONG, 1, &sizes[0], &error), STATUS_OK);
+  ck_assert_int_eq(hdf_read(hdf, "/VTKHDF/NumberOfCells", HDF_LONG_LONG, 1, &sizes[1], &error), STATUS_OK);
+  ck_assert_int_eq(hdf_read(hdf, "/VTKHDF/NumberOfConnectivityIds", HDF_LONG_LONG, 1, &sizes[2], &error),
                    STATUS_OK);
-  ck_assert_int_eq(hdf_read(hdf, "/VTKHDF/Connectivity", HDF_LONG_LONG, ids, &error), STATUS_OK);
-  ck_assert_int_eq(hdf_read(hdf, "/VTKHDF/Offsets", HDF_LONG_LONG, offsets, &error), STATUS_OK);
-  ck_assert_int_eq(hdf_read(hdf, "/VTKHDF/Types", HDF_BYTE, types, &error), STATUS_OK);
+  ck_assert_int_eq(hdf_read(hdf, "/VTKHDF/Connectivity", HDF_LONG_LONG, 6 * cells, ids, &error), STATUS_OK);
+  ck_assert_int_eq(hdf_read(hdf, "/VTKHDF/Offsets", HDF_LONG_LONG, cells + 1, offsets, &error), STATUS_OK);
+  ck_assert_int_eq(hdf_read(hdf, "/VTKHDF/Types", HDF_BYTE, cells, types, &error), STATUS_OK);
   ck_assert(sizes[0] == (long long)n && sizes[1] == (long long)cells && sizes[2] == (long long)(6 * cells));
   for (size_t e = 0; e < cells; e++) {
     ck_assert_int_eq(types[e], 22); /* VTK_QUADRATIC_TRIANGLE: corners, then the edges 01, 12, 20 */
