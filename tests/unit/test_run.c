@@ -34,7 +34,8 @@ static Status run(const char *folder, bool resume, Error *error) {
 
 START_TEST(a_run_out_of_memory_at_any_point_says_so_and_leaves_a_whole_folder) {
   Error error;
-  const char *folder = scratch_path("out");
+  char folder[512]; /* the path that scratch_path gives lives for eight calls */
+  snprintf(folder, sizeof folder, "%s", scratch_path("out"));
   Text whole = {0}, history = {0};
   ck_assert_int_eq(file_write(scratch_path("scene.yaml"), SCENE, strlen(SCENE), &error), STATUS_OK);
   ck_assert_msg(run(folder, false, &error) == STATUS_OK, "%s", error.text);
