@@ -8,7 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-static char scratch_folder[] = "/tmp/capsella-test-XXXXXX";
+static char scratch_default[] = "/tmp/capsella-test-XXXXXX";
+static char *scratch_folder = scratch_default; /* a test may set it to another name before scratch_make */
 
 /* "folder/name"; valid until the eighth call after this one. */
 static inline const char *scratch_path(const char *name) {

@@ -7,6 +7,7 @@
 #include "scratch.h"
 #include "suite.h"
 #include <string.h>
+#include <unistd.h>
 
 static const char SCENE[] = "schema: 1\n"
                             "capsule: {mesh: {subdivisions: 0}}\n"
@@ -17,7 +18,7 @@ static const char SCENE[] = "schema: 1\n"
                             "flow: {kind: simple_shear, capillary_number: 0.7}\n"
                             "observe: {criteria: [{law: rankine, parameters: {T_D: 0.01, T_C: 0.1}}]}\n"
                             "time: {end: 0.02, tolerance: 0.1}\n"
-                            "output: {history_every: 0.01, snapshot_every: 0.01}\n";
+                            "output: {history_every: 0.01, snapshot_every: 0.01, report: false}\n";
 
 static Status run(const char *folder, bool resume, Error *error) {
   Text path = {0};
@@ -45,8 +46,7 @@ START_TEST(a_run_out_of_memory_at_any_point_says_so_and_leaves_a_whole_folder) {
   for (Status status = STATUS_MEMORY;; n++) {
     array_fail_nth(n);
     status = run(folder, false, &error);
-    if (array_fail_nth(0) > 0) break;  /* the run needs no n allocations */
-    if (status == STATUS_OK) continue; /* the report may be missing: the run is whole */
+    if (array_fail_nth(0) > 0) break; /* the run needs no n allocations */
     failures++;
     ck_assert_msg(status == STATUS_MEMORY, "allocation %ld: status %d, %s", n, (int)status, error.text);
     ck_assert_msg(strstr(error.text, "memory"), "allocation %ld: %s", n, error.text);
@@ -63,6 +63,9 @@ START_TEST(a_run_out_of_memory_at_any_point_says_so_and_leaves_a_whole_folder) {
 END_TEST
 
 int main(void) {
+  /* Hundreds of runs, each of which waits for the disk many times: in memory where there is such a folder. */
+  static char in_memory[] = "/dev/shm/capsella-test-XXXXXX";
+  if (access("/dev/shm", W_OK) == 0) scratch_folder = in_memory;
   if (!scratch_make() || setenv("MLAW_PLUGIN_PATH", BUILD_DIR "/plugins", 1) != 0) return 1;
   const int failed = suite_run(
       "run", (SuiteTests){a_run_out_of_memory_at_any_point_says_so_and_leaves_a_whole_folder, NULL});
