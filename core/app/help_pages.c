@@ -10,13 +10,16 @@
              .about = "a law on the search path, or FILE.so, or FILE.so#ID"}
 
 #define WHERE_LAWS_ARE \
-  "Laws are looked for in the folders of MLAW_PLUGIN_PATH (separated by colons), then in those of the program."
+  "Laws are looked for in the folders of MLAW_PLUGIN_PATH (separated by colons), then in those of the " \
+  "program."
 
 const HelpPage HELP_PAGES[] = {
     {.name = "",
      .about = "computes how a microcapsule deforms, is damaged and ruptures in a viscous flow",
-     .options = {{.value = "COMMAND", .kind = VALUE_COMMAND, .required = true, .about = "one of the commands below"},
-                 {.value = "ARGUMENTS", .kind = VALUE_COMMAND_2, .repeats = true, .about = "what the command takes"},
+     .options = {{.value = "COMMAND", .kind = VALUE_COMMAND, .required = true,
+                  .about = "one of the commands below"},
+                 {.value = "ARGUMENTS", .kind = VALUE_COMMAND_2, .repeats = true,
+                  .about = "what the command takes"},
                  {.flag = "--help", .about = "this text; behind a command, what that takes"},
                  {.flag = "--version", .about = "the version"}},
      .text = "Exit code: 0 done, 1 the computation failed, 2 the input is wrong.",
@@ -50,16 +53,20 @@ const HelpPage HELP_PAGES[] = {
      .about = "run many scenes: vary keys, find critical values, compare criteria",
      .options = {{.value = "STUDY.yaml", .kind = VALUE_YAML, .required = true, .about = "the study"},
                  FOLDER("where results go (default: results/NAME, NAME of the study)"),
-                 {.flag = "--jobs", .value = "N", .about = "cases side by side (default: one for each processor; under MPI one)"},
+                 {.flag = "--jobs", .value = "N",
+                  .about = "cases side by side (default: one for each processor; under MPI one)"},
                  {.flag = "--resume", .about = "take over the cases that DIR holds already"},
                  {.flag = "--set", .value = "KEY=VALUE", .kind = VALUE_SETTING, .repeats = true,
                   .about = "replace a value of the study's scene"},
                  THREADS("threads of each case (default: 1)"),
                  QUIET},
-     .text = "Under MPI (mpirun -n 4 capsella study ...) the cases are spread over the ranks, --jobs on each.\n"
-             "DIR receives table.csv, summary.json and a folder of results for each case. Neither jobs nor threads "
+     .text = "Under MPI (mpirun -n 4 capsella study ...) the cases are spread over the ranks, --jobs on "
+             "each.\n"
+             "DIR receives table.csv, summary.json and a folder of results for each case. Neither jobs nor "
+             "threads "
              "nor a stop and --resume change the table. Ctrl-C stops all cases after their current step.\n"
-             "Exit code: 0 done (also when single cases failed: they are rows of the table), 1 all cases failed or "
+             "Exit code: 0 done (also when single cases failed: they are rows of the table), 1 all cases "
+             "failed or "
              "the study could not go on, 2 the input is wrong.",
      .examples = {{"capsella study configs/studies/compare_criteria.yaml",
                    "when and where ten criteria see a capsule rupture"},
@@ -68,11 +75,13 @@ const HelpPage HELP_PAGES[] = {
 
     {.name = "laws",
      .about = "list the laws of membrane and damage, show one, check one, start a new one",
-     .options = {{.value = "COMMAND", .kind = VALUE_COMMAND_2, .about = "one of the commands below; without it, list"}},
+     .options = {{.value = "COMMAND", .kind = VALUE_COMMAND_2,
+                  .about = "one of the commands below; without it, list"}},
      .text = WHERE_LAWS_ARE,
      .examples = {{"capsella laws", "all laws"},
                   {"capsella laws show marigo", "equations and parameters of one"},
-                  {"capsella laws new my_law --kind damage", "a folder with a law that builds, to be changed"}}},
+                  {"capsella laws new my_law --kind damage",
+                   "a folder with a law that builds, to be changed"}}},
 
     {.name = "laws list",
      .about = "every law on the search path: kind, id, title, file",
@@ -93,7 +102,8 @@ const HelpPage HELP_PAGES[] = {
     {.name = "laws plot",
      .about = "tensions or damage against stretch, as a chart",
      .options = {LAW,
-                 {.flag = "-o", .value = "FILE.svg", .kind = VALUE_FILE, .about = "where the chart goes (default: ID.svg)"},
+                 {.flag = "-o", .value = "FILE.svg", .kind = VALUE_FILE,
+                  .about = "where the chart goes (default: ID.svg)"},
                  {.flag = "--set", .value = "PARAMETER=VALUE", .repeats = true,
                   .about = "a parameter of the law, without unit"}},
      .text = "A constitutive law: tensions against stretch, uniaxial, equibiaxial and in pure shear.\n"
@@ -106,29 +116,35 @@ const HelpPage HELP_PAGES[] = {
      .about = "does a plugin keep the rules, and are its laws sound?",
      .options = {{.value = "FILE.so", .kind = VALUE_LIBRARY, .required = true, .about = "the plugin"},
                  {.flag = "--only", .value = "REGEX",
-                  .about = "only tests whose group/name matches, as in --only energy/ or --only 'hole|overrun'"},
+                  .about = "only tests whose group/name matches, as in --only energy/ or --only "
+                           "'hole|overrun'"},
                  {.flag = "--time-limit", .value = "SECONDS", .about = "for each test; 10 without it"},
                  {.flag = "--json", .about = "one JSON object: file, results, counts"},
                  {.flag = "--in-process",
                   .about = "no process of its own for a test, for a debugger: a crash ends the check"},
                  {.flag = "--replay", .value = "FILE", .kind = VALUE_FILE,
-                  .about = "alone, without FILE.so: evaluates again the points on which a law failed in a run, from "
+                  .about = "alone, without FILE.so: evaluates again the points on which a law failed in a "
+                           "run, from "
                            "its law_failure.yaml"}},
      .text = "Each test runs in a process of its own.\n"
              "Exit code: 0 every test passed (or did not apply), 1 some did not, 2 the call is wrong.",
      .examples = {{"capsella laws check my_law/my_law.so", NULL},
                   {"capsella laws check my_law/my_law.so --only damage/", "the tests of damage laws alone"},
-                  {"capsella laws check --replay results/run/law_failure.yaml", "why a run stopped in a law"}}},
+                  {"capsella laws check --replay results/run/law_failure.yaml",
+                   "why a run stopped in a law"}}},
 
     {.name = "laws new",
      .about = "a folder with a law that builds, to be changed into yours",
      .options = {{.value = "DIR", .kind = VALUE_FOLDER, .required = true,
-                  .about = "a folder that is not there yet; it receives the law, a Makefile, a CMakeLists.txt, the "
+                  .about = "a folder that is not there yet; it receives the law, a Makefile, a "
+                           "CMakeLists.txt, the "
                            "headers, and a scene"},
                  {.flag = "--kind", .value = "KIND", .kind = VALUE_CHOICE, .required = true,
                   .choices = "constitutive damage damage-general",
-                  .about = "constitutive: elasticity, an energy of the strain; damage: a function of the largest "
-                           "energy release rate so far; damage-general: damage and history stepped in time, from any "
+                  .about = "constitutive: elasticity, an energy of the strain; damage: a function of the "
+                           "largest "
+                           "energy release rate so far; damage-general: damage and history stepped in time, "
+                           "from any "
                            "channel"},
                  {.flag = "--cxx", .about = "in C++ (C++20) in place of C"},
                  {.flag = "--name", .value = "ID",
@@ -138,27 +154,33 @@ const HelpPage HELP_PAGES[] = {
 
     {.name = "report",
      .about = "make page and picture from a folder of results",
-     .options = {{.value = "DIR", .kind = VALUE_FOLDER, .required = true, .about = "the folder of a run or of a study"}},
+     .options = {{.value = "DIR", .kind = VALUE_FOLDER, .required = true,
+                  .about = "the folder of a run or of a study"}},
      .text = "Draws the newest snapshot of DIR into DIR/capsule.svg, coloured by damage, and writes the page "
              "DIR/report.html. Of a study's folder, it makes the page.",
      .examples = {{"capsella report results/shear_reference", NULL}}},
 
     {.name = "bench",
      .about = "measure run time against error on this machine",
-     .options = {{.flag = "--full", .about = "finer meshes and more points: a quarter of an hour or so (without: a few "
+     .options = {{.flag = "--full", .about = "finer meshes and more points: a quarter of an hour or so "
+                                             "(without: a few "
                                              "minutes)"},
                  FOLDER("where they go (default: results/benchmarks)")},
-     .text = "Measures run time against error of two cases on a grid of mesh, method, integrator and tolerance, the "
-             "cost of one evaluation and the accuracy of the single layer; writes benchmarks.md and its pictures.",
+     .text = "Measures run time against error of two cases on a grid of mesh, method, integrator and "
+             "tolerance, the "
+             "cost of one evaluation and the accuracy of the single layer; writes benchmarks.md and its "
+             "pictures.",
      .examples = {{"capsella bench", NULL}}},
 
     {.name = "manual",
      .about = "print every key of a scene file, JSON Schemas, or files for the system",
      .options = {{.flag = "--json-schema", .value = "WHAT", .kind = VALUE_CHOICE, .choices = "scene study",
-                  .about = "the JSON Schema of a scene or of a study, by which an editor completes and checks"},
+                  .about = "the JSON Schema of a scene or of a study, by which an editor completes and "
+                           "checks"},
                  {.flag = "--files", .value = "DIR", .kind = VALUE_FOLDER,
                   .about = "write man pages, completions of bash and zsh, and the schemas below DIR"}},
-     .text = "Without an option: the keys of a scene, as a page of Markdown. Only one of the options may be given.",
+     .text = "Without an option: the keys of a scene, as a page of Markdown. Only one of the options may be "
+             "given.",
      .examples = {{"capsella manual | less", NULL},
                   {"capsella manual --json-schema scene > scene.schema.json",
                    "then, as first line of a scene: # yaml-language-server: $schema=scene.schema.json"},

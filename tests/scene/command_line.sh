@@ -114,6 +114,9 @@ else
 fi
 if command -v zsh >/dev/null 2>&1; then
   zsh -n share/zsh/site-functions/_capsella || fail "zsh does not read its completion"
+  # shellcheck disable=SC2016
+  zsh -f -c 'fpath=(share/zsh/site-functions $fpath); autoload -Uz compinit; compinit -u -D; print $_comps[capsella]' |
+    grep -qx _capsella || fail "zsh does not take its completion for that of capsella"
 else
   echo "no zsh: its completion is not tested"
 fi
