@@ -16,7 +16,9 @@ function checkNumbers() {
 }
 
 async function checkSlider() {
-  const slider = one('#slider'), last = picture();
+  const slider = one('#slider');
+  await frames(10);
+  const last = picture();
   check(one('#time').textContent === `t = ${Number(expected.t.toPrecision(5))}`, `the slider starts at ${one('#time').textContent}`);
   await choose(slider, 0);
   check(one('#time').textContent === 't = 0', `the slider at its left end shows ${one('#time').textContent}`);

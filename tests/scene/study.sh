@@ -37,18 +37,18 @@ cp one/journal.txt before
 same one/journal.txt before "the journal of a study that had nothing to do"
 same one/table.csv two/table.csv "the table that had nothing to do"
 
-# Killed again and again, after a tenth of a second more each time, it ends with the same table.
+# Killed again and again, a little later each time, it ends with the same table.
 count=1
 "$@" -o killed --jobs 2 &
 process=$!
-while sleep 0.$count && [ $count -lt 9 ] && kill -9 $process 2>/dev/null; do
+while sleep 0.0$count && [ $count -lt 9 ] && kill -9 $process 2>/dev/null; do
   wait $process 2>/dev/null || true
   "$@" -o killed --jobs 2 --resume &
   process=$!
   count=$((count + 1))
 done
 wait $process
-[ $count -gt 2 ] || fail "the study was over before it could be killed twice"
+[ $count -gt 1 ] || fail "the study was over before it could be killed"
 same one/table.csv killed/table.csv "the table after $count kills"
 
 # Interrupted, it says so and can go on.
