@@ -10,7 +10,7 @@ hold.hidden = true;
 hold.contentDocument.open();
 
 const frames = count => new Promise(resolve => requestAnimationFrame(() => resolve(count > 1 ? frames(count - 1) : null)));
-const settle = () => frames(2);
+const settle = () => frames(6); // what a change sets off is drawn within a few
 
 async function choose(element, value) {
   element.value = value;
