@@ -46,9 +46,13 @@ static double flux(const CoupledSystem *system, const double *v) {
   return sum;
 }
 
-/* Area vectors and unit normals at x; returns the flux of a unit normal velocity, int n . n dS. */
-static double measure_normals(CoupledSystem *system, const double *x) {
+static void measure_area_vectors(CoupledSystem *system, const double *x) {
   surface_area_vectors(system->mesh, system->symmetry, x, system->A);
+}
+
+/* Unit normals at x, where the area vectors have been measured; returns the flux of a unit normal velocity,
+ * int n . n dS. */
+static double measure_normals(CoupledSystem *system, const double *x) {
   surface_normals(system->mesh, x, system->normal);
   if (system->symmetry) symmetry_spread(system->symmetry, system->normal);
   return flux(system, system->normal);
@@ -56,6 +60,7 @@ static double measure_normals(CoupledSystem *system, const double *x) {
 
 /* v <- v - c n, with c such that int v . n dS = 0. */
 static void remove_mean_flux(CoupledSystem *system, const double *x, double *v) {
+  measure_area_vectors(system, x);
   const double unit = measure_normals(system, x), c = flux(system, v) / unit;
   for (int i = 0; i < 3 * system->mesh->n_nodes; i++) v[i] -= c * system->normal[i];
 }
@@ -63,9 +68,10 @@ static void remove_mean_flux(CoupledSystem *system, const double *x, double *v) 
 /* From an error e, two steps of Newton's method leave e^4: more are for fixed steps that are far too long. */
 static void restore_volume(CoupledSystem *system, double *x) {
   for (int newton = 0; newton < 6; newton++) {
-    const double unit = measure_normals(system, x), excess = flux(system, x) / 3 - system->volume0;
+    measure_area_vectors(system, x);
+    const double excess = flux(system, x) / 3 - system->volume0;
     if (newton >= 2 && fabs(excess) <= 1e-12 * system->volume0) break;
-    const double shift = excess / unit;
+    const double shift = excess / measure_normals(system, x);
     for (int i = 0; i < 3 * system->mesh->n_nodes; i++) x[i] -= shift * system->normal[i];
     if (system->symmetry) symmetry_spread(system->symmetry, x);
   }

@@ -10,8 +10,6 @@
 
 #include <stdbool.h>
 
-static const double ONE_OVER_8PI = 0.039788735772973836;
-
 /* No element is cut: one next to the target gives the largest error, a few 1e-4. */
 static const TreeScheme TREE = {.rule_points = 6, .reach = 0, .far = 1.5, .rough = 5e-3};
 static const PolarScheme POLAR = {POLAR_TANGENT, 2, 4, 8};
@@ -140,9 +138,7 @@ Status coarse_layer_evaluate(CoarseLayer *layer, const double *x, const double *
   tree_update(&layer->tree, x, q);
   if (!layer->is_settled) TRY(hold_all(layer, x, q, error));
   int degenerate = sum_targets(layer, x, q, u);
-  if (degenerate < n_nodes) {
-    return error_set(error, STATUS_REJECT, "single layer: an element at node %d is degenerate", degenerate);
-  }
+  TRY(targets_check_elements(degenerate, n_nodes, error));
   targets_spread(&layer->targets, u);
   TRY(targets_check_finite("velocity", n_nodes, u, error));
 cleanup:

@@ -12,8 +12,6 @@
 
 #include <string.h>
 
-static const double ONE_OVER_8PI = 0.039788735772973836;
-
 typedef struct {
   TreeScheme tree;
   PolarScheme polar;
@@ -141,9 +139,7 @@ Status single_layer_evaluate(SingleLayer *layer, const double *x, const double *
   TRY(targets_check_finite("load", n_nodes, q, error));
   tree_update(&layer->tree, x, q);
   int degenerate = sum_targets(layer, x, q, u); /* its values are not used then */
-  if (degenerate < n_nodes) {
-    return error_set(error, STATUS_REJECT, "single layer: an element at node %d is degenerate", degenerate);
-  }
+  TRY(targets_check_elements(degenerate, n_nodes, error));
   targets_spread(&layer->targets, u);
   TRY(targets_check_finite("velocity", n_nodes, u, error));
 cleanup:

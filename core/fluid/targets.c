@@ -73,3 +73,8 @@ Status targets_check_finite(const char *what, int n_nodes, const double *values,
   }
   return STATUS_OK;
 }
+
+Status targets_check_elements(int degenerate, int n_nodes, Error *error) {
+  if (degenerate == n_nodes) return STATUS_OK;
+  return error_set(error, STATUS_REJECT, "single layer: an element at node %d is degenerate", degenerate);
+}

@@ -7,6 +7,9 @@
 #include "mesh/mesh.h"
 #include "mesh/symmetry.h"
 
+/* In front of the single layer. */
+static const double ONE_OVER_8PI = 0.039788735772973836;
+
 typedef struct {
   int n, *node;             /* [n] */
   const Symmetry *symmetry; /* NULL: none */
@@ -24,5 +27,8 @@ void targets_spread(const Targets *targets, double *u);
 
 /* STATUS_REJECT with the first node at which `values` [n_nodes][3] is not finite; `what` names them. */
 Status targets_check_finite(const char *what, int n_nodes, const double *values, Error *error);
+
+/* STATUS_REJECT when `degenerate`, the first node around which an element is, is not n_nodes: none. */
+Status targets_check_elements(int degenerate, int n_nodes, Error *error);
 
 #endif
