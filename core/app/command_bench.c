@@ -29,6 +29,7 @@ static Status bench(bool full, const char *folder, Error *error) {
   Status status;
   BenchmarkPage page = {0};
   const BenchmarkOptions options = {.full = full,
+                                    .folder = folder,
                                     .program = "/proc/self/exe",
                                     .compiled_in = compiled_in_plugin(MLAW_ABI_MINOR)->energy[0],
                                     .progress = show};

@@ -4,7 +4,6 @@
 #include "benchmark/benchmark_private.h"
 #include "benchmark/process.h"
 #include <math.h>
-#include <stdlib.h>
 
 /* The mesh of the single figures. */
 static const char *usual_mesh(const Bench *bench) {
@@ -178,12 +177,12 @@ static Status bench_inflation(Bench *bench) {
                               "flow: {kind: inflation, path: [[0, 0], [1, 0.9]]}\n"
                               "time: {end: 1}\n"
                               "output: {history_every: 0.005, snapshot_every: 0}\n";
-  char folder[] = "/tmp/capsella-bench-XXXXXX";
   ProcessCost cost;
-  Text path = {0}, results = {0};
-  if (!mkdtemp(folder)) return error_set(bench->error, STATUS_IO, "%s: cannot be made", folder);
-  TRY(file_join(&path, folder, "scene.yaml", bench->error));
-  TRY(file_join(&results, folder, "results", bench->error));
+  Text folder = {0}, path = {0}, results = {0};
+  TRY(file_join(&folder, bench->options->folder, "inflation", bench->error));
+  TRY(file_make_folder(folder.data, bench->error));
+  TRY(file_join(&path, folder.data, "scene.yaml", bench->error));
+  TRY(file_join(&results, folder.data, "results", bench->error));
   TRY(file_write(path.data, scene, sizeof scene - 1, bench->error));
   TRY(process_measure(
       (const char *const[]){bench->options->program, "run", path.data, "--quiet", "-o", results.data, NULL},
@@ -194,7 +193,8 @@ static Status bench_inflation(Bench *bench) {
       "the whole program.\n",
       cost.cpu_seconds, cost.seconds));
 cleanup:
-  file_remove_folder(folder);
+  if (folder.data) file_remove_folder(folder.data);
+  text_free(&folder);
   text_free(&path);
   text_free(&results);
   return status;

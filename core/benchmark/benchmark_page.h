@@ -8,9 +8,10 @@
 #include <stdbool.h>
 
 typedef struct {
-  bool full;                          /* finer meshes and more points: a quarter of an hour, not minutes */
-  const char *program;                /* path of the program itself, to measure its start */
-  const mlaw_energy *compiled_in;     /* the elastic law of the reference case, linked into the program */
+  bool full;                      /* finer meshes and more points: a quarter of an hour, not minutes */
+  const char *folder;             /* exists; runs of whole programs leave their results in it for a while */
+  const char *program;            /* path of the program itself, to measure its start */
+  const mlaw_energy *compiled_in; /* the elastic law of the reference case, linked into the program */
   void (*progress)(const char *line); /* told what is measured next; may be NULL */
 } BenchmarkOptions;
 
