@@ -4,7 +4,8 @@
 #include "app/help.h"
 #include "base/file.h"
 #include "config/scene.h"
-#include "study/json_schema.h"
+#include "study/json_schema_scene.h"
+#include "study/json_schema_study.h"
 #include <stdio.h>
 #include <string.h>
 

@@ -5,13 +5,11 @@
 #include "base/file.h"
 #include "base/timer.h"
 #include "config/yaml_print.h"
-#include "observe/snapshot.h"
 #include "study/journal.h"
 #include "study/label.h"
 #include "study/launcher.h"
 #include "study/ranks.h"
 #include "study/study_progress.h"
-#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -41,153 +39,7 @@ const Case *runner_case(const Runner *runner, int number) {
   return runner->cases[number];
 }
 
-bool case_ended(const Case *item) {
-  return item->state == CASE_DONE || item->state == CASE_FAILED;
-}
-
-/* The entry of a list at a position written in digits, or NULL. */
-static const YamlNode *entry_of(const YamlNode *list, const char *position) {
-  char *end;
-  const unsigned long k = strtoul(position, &end, 10);
-  return *end == '\0' && k < list->count ? list->items[k] : NULL;
-}
-
-static const YamlNode *figure(const Case *item, const char *key) {
-  char name[64];
-  const YamlNode *node = item->summary;
-  while (node && *key) {
-    const size_t length = strcspn(key, ".");
-    if (node->kind == YAML_TREE_TEXT || length >= sizeof name) return NULL;
-    memcpy(name, key, length);
-    name[length] = '\0';
-    node = node->kind == YAML_TREE_MAPPING ? yaml_tree_find(node, name) : entry_of(node, name);
-    key += length + (key[length] == '.');
-  }
-  return node;
-}
-
-static double number_of(const YamlNode *node) {
-  if (!node || node->kind != YAML_TREE_TEXT) return NAN;
-  char *end;
-  const double value = strtod(node->text, &end);
-  return *node->text && *end == '\0' ? value : NAN;
-}
-
-double case_number(const Case *item, const char *key) {
-  return number_of(figure(item, key));
-}
-
-double case_component(const Case *item, const char *key, size_t k) {
-  const YamlNode *list = figure(item, key);
-  return list && list->kind == YAML_TREE_LIST && k < list->count ? number_of(list->items[k]) : NAN;
-}
-
-const char *case_status(const Case *item) {
-  const YamlNode *node = figure(item, "status");
-  return item->state == CASE_DONE && node && node->kind == YAML_TREE_TEXT ? node->text : "failed";
-}
-
-static void case_free(Case *item) {
-  if (!item) return;
-  for (size_t i = 0; i < item->n_sets; i++) array_free(item->sets[i]);
-  array_free(item->sets);
-  array_free(item->label);
-  array_free(item->folder);
-  array_free(item->reason);
-  yaml_tree_free(item->summary);
-  array_free(item);
-}
-
-static Status case_new(Runner *runner, const char *label, const Override *settings, size_t n, Case **made,
-                       Error *error) {
-  Status status = STATUS_OK;
-  Text text = {0};
-  Case *item = NULL;
-  TRY(ARRAY_NEW(&item, 1, error));
-  TRY(ARRAY_NEW(&item->sets, n, error));
-  item->identity = runner->scene_hash;
-  for (size_t i = 0; i < n; i++) {
-    text.length = 0;
-    TRY(text_append(&text, error, "%s=%s", settings[i].key, settings[i].value));
-    if (!(item->sets[i] = text_copy(text.data, error))) TRY(error->code);
-    item->n_sets = i + 1;
-    item->identity = label_hash(label_hash(item->identity, text.data), "\n");
-  }
-  text.length = 0;
-  TRY(text_append(&text, error, "%s/cases/%s", runner->folder, label));
-  if (!(item->folder = text_copy(text.data, error))) TRY(error->code);
-  if (!(item->label = text_copy(label, error))) TRY(error->code);
-cleanup:
-  text_free(&text);
-  if (status != STATUS_OK) {
-    case_free(item);
-    item = NULL;
-  }
-  *made = item;
-  return status;
-}
-
-/* Reads summary.json, which is YAML too, when it is there. */
-static Status read_summary(Case *item, Error *error) {
-  Status status = STATUS_OK;
-  Text path = {0}, text = {0};
-  TRY(file_join(&path, item->folder, "summary.json", error));
-  if (!file_exists(path.data)) goto cleanup;
-  TRY(file_read(path.data, YAML_TREE_BYTES, &text, error));
-  yaml_tree_free(item->summary);
-  TRY(yaml_tree_parse(&item->summary, "summary.json", true, text.data, text.length, error));
-cleanup:
-  text_free(&text);
-  text_free(&path);
-  return status;
-}
-
-static bool has_result(const Case *item) {
-  const YamlNode *node = figure(item, "status");
-  if (!node || node->kind != YAML_TREE_TEXT) return false;
-  return strcmp(node->text, "interrupted") != 0 && strcmp(node->text, "failed") != 0;
-}
-
-static Status remove_file(const Case *item, const char *name, Error *error) {
-  Text path = {0};
-  Status status = file_join(&path, item->folder, name, error);
-  if (status == STATUS_OK && remove(path.data) != 0 && errno != ENOENT)
-    status = error_set(error, STATUS_IO, "%s: cannot be removed: %s", path.data, strerror(errno));
-  text_free(&path);
-  return status;
-}
-
-static Status remove_snapshots(const Case *item, Error *error) {
-  Status status = STATUS_OK;
-  int *numbers = NULL;
-  size_t count;
-  Text path = {0};
-  TRY(snapshot_list(item->folder, &numbers, &count, error));
-  for (size_t i = 0; i < count; i++) {
-    path.length = 0;
-    TRY(snapshot_path(&path, item->folder, numbers[i], error));
-    if (remove(path.data) != 0)
-      TRY(error_set(error, STATUS_IO, "%s: cannot be removed: %s", path.data, strerror(errno)));
-  }
-  TRY(remove_file(item, "series.xdmf", error));
-  TRY(remove_file(item, "snapshots.hdf.series", error));
-cleanup:
-  text_free(&path);
-  array_free(numbers);
-  return status;
-}
-
 /* ---- requests ---- */
-
-/* Nothing of another case may be left: it would pass for a part of this one. */
-static Status clear(const Case *item, Error *error) {
-  Status status = STATUS_OK;
-  TRY(file_make_folder(item->folder, error));
-  TRY(remove_file(item, "summary.json", error));
-  TRY(remove_snapshots(item, error));
-cleanup:
-  return status;
-}
 
 static Status conclude(Runner *runner, Case *item, CaseState state, const char *reason, Error *error) {
   Status status = STATUS_OK;
@@ -201,7 +53,7 @@ cleanup:
 
 static Status finish_done(Runner *runner, Case *item, Error *error) {
   Status status = STATUS_OK;
-  if (!runner->keep_states) TRY(remove_snapshots(item, error));
+  if (!runner->keep_states) TRY(case_remove_snapshots(item, error));
   TRY(journal_add(&runner->journal, JOURNAL_DONE, item->label, item->identity, NULL, error));
   TRY(conclude(runner, item, CASE_DONE, NULL, error));
 cleanup:
@@ -222,19 +74,19 @@ static Status take_over(Runner *runner, Case *item, Error *error) {
   Status status = STATUS_OK;
   const JournalEntry *entry = journal_find(&runner->journal, item->label);
   if (entry && entry->state == JOURNAL_STARTED) TRY(await_orphan(item, error));
-  if (!entry || entry->identity != item->identity) return clear(item, error);
-  TRY(read_summary(item, error));
+  if (!entry || entry->identity != item->identity) return case_clear(item, error);
+  TRY(case_read_summary(item, error));
   if (entry->state == JOURNAL_FAILED) {
     runner->taken_over++;
     TRY(conclude(runner, item, CASE_FAILED, entry->reason, error));
-  } else if (has_result(item)) {
+  } else if (case_has_result(item)) {
     runner->taken_over++;
     TRY(entry->state == JOURNAL_STARTED ? finish_done(runner, item, error)
                                         : conclude(runner, item, CASE_DONE, NULL, error));
   } else if (entry->state == JOURNAL_STARTED) {
     item->has_begun = true;
   } else {
-    TRY(clear(item, error));
+    TRY(case_clear(item, error));
   }
 cleanup:
   return status;
@@ -257,7 +109,7 @@ Status runner_request(Runner *runner, const char *label, const Override *setting
                       Error *error) {
   Status status = STATUS_OK;
   Case *item = NULL;
-  TRY(case_new(runner, label, settings, n, &item, error));
+  TRY(case_new(&item, runner->folder, runner->scene_hash, label, settings, n, error));
   for (size_t i = 0; i < runner->n; i++) {
     if (strcmp(runner->cases[i]->label, label) != 0) continue;
     if (runner->cases[i]->identity != item->identity)
@@ -379,10 +231,10 @@ static Status finish(Runner *runner, JobEnd end, Error *error) {
   runner->in_slot[end.slot] = -1;
   runner->running--;
   item->seconds = timer_wall_seconds() - item->started;
-  TRY(read_summary(item, error));
+  TRY(case_read_summary(item, error));
   TRY(read_messages(item, &said, error));
-  TRY(remove_file(item, ".lock", error));
-  if (end.code == 0 && has_result(item)) {
+  TRY(case_remove_file(item, ".lock", error));
+  if (end.code == 0 && case_has_result(item)) {
     TRY(finish_done(runner, item, error));
   } else if (runner_interrupted(runner) && end.code <= 0) {
     item->state = CASE_WAITING;
@@ -467,20 +319,15 @@ cleanup:
 /* A study that starts anew leaves nothing of an earlier one in the folder. */
 static Status forget_earlier(Runner *runner, Error *error) {
   Status status = STATUS_OK;
+  Text folder = {0};
   for (size_t i = 0; i < runner->journal.n; i++) {
-    Text folder = {0};
+    folder.length = 0;
     TRY(text_append(&folder, error, "%s/cases/%s", runner->folder, runner->journal.entries[i].label));
-    static const char *const names[] = {"history.csv", "resolved.yaml", "log.txt", "messages.txt", ".lock"};
-    Case item = {.folder = folder.data};
-    status = access(folder.data, F_OK) == 0 ? clear(&item, error) : STATUS_OK;
-    for (size_t k = 0; status == STATUS_OK && k < sizeof names / sizeof *names; k++)
-      status = remove_file(&item, names[k], error);
-    rmdir(folder.data); /* stays when it holds what is not of a case */
-    text_free(&folder);
-    if (status != STATUS_OK) goto cleanup;
+    TRY(case_erase(folder.data, error));
   }
   TRY(journal_empty(&runner->journal, error));
 cleanup:
+  text_free(&folder);
   return status;
 }
 

@@ -11,8 +11,8 @@
 #ifndef CAPSELLA_STUDY_RUNNER_H
 #define CAPSELLA_STUDY_RUNNER_H
 
+#include "study/case.h"
 #include "study/study.h"
-#include <stdint.h>
 #include <stdio.h>
 
 typedef struct {
@@ -24,20 +24,6 @@ typedef struct {
   const char *program;           /* that runs a scene; NULL: this one */
   const volatile int *interrupt; /* set by a signal handler; may be NULL */
 } RunnerOptions;
-
-typedef enum { CASE_WAITING, CASE_RUNNING, CASE_DONE, CASE_FAILED } CaseState;
-
-typedef struct {
-  char *label, *folder;
-  char **sets; /* [n_sets] "KEY=VALUE" */
-  size_t n_sets;
-  uint64_t identity;
-  CaseState state;
-  bool has_begun;          /* an earlier process has left something to go on from */
-  YamlNode *summary;       /* summary.json; NULL: none */
-  char *reason;            /* of a failure, on one line; NULL otherwise */
-  double started, seconds; /* of its process, here */
-} Case;
 
 typedef struct Runner Runner;
 
@@ -80,15 +66,5 @@ typedef struct {
   int jobs;
 } RunnerCount;
 RunnerCount runner_count(const Runner *runner);
-
-bool case_ended(const Case *item);
-
-/* A figure of the case's summary.json by its key with dots, lists being counted from 0
- * ("rupture.angle_to_vorticity_deg", "criteria.0.t_l"); NAN when there is none. */
-double case_number(const Case *item, const char *key);
-/* Component `k` of a list there: "rupture.X". */
-double case_component(const Case *item, const char *key, size_t k);
-/* "steady", "end", "ruptured", "failed". */
-const char *case_status(const Case *item);
 
 #endif
