@@ -13,6 +13,9 @@ typedef struct {
   /* Moves x [n] onto the invariants of the equation, by no more than the error of a step; NULL: there are
    * none. */
   void (*constrain)(void *context, double *x);
+  /* How much damage, which x does not show, has grown from the start of the step to where f was evaluated
+   * last: between 0 and 1.  NULL: there is none. */
+  double (*damage_growth)(void *context);
   /* What evaluate gives, from a cheaper rule, for the inner stages of a step and for differences of f near
    * its start.  Exact at the start of the step, which open_step names: f = f(t, x).  NULL both: there is
    * none. */

@@ -12,6 +12,10 @@ static const double RADIUS_SAFETY = 1.15; /* and the radius may grow until it is
 static const double ORDER_EXPONENT = 1.0 / 3; /* the error of a step goes as h^3 */
 static const double SMALLEST_STEP = 1e-10;
 
+/* Damage may grow by this times sqrt(tolerance) in a step (the global error goes as its square), except in
+ * steps as short as this times the tolerance. */
+static const double LARGEST_GROWTH = 5, SHORTEST_GROWTH = 10;
+
 Status stepper_new(Stepper *s, Rhs rhs, StepperOptions options, Error *error) {
   Status status = STATUS_OK;
   *s = (Stepper){.rhs = rhs, .options = options, .integrator = integrator_get(options.integrator)};
@@ -104,11 +108,19 @@ static double scaled_error(const Stepper *s, double h) {
   return sqrt(3 * sum / s->rhs.n) / s->options.tolerance;
 }
 
+/* Growth of damage in the step over what is allowed; as the cube, so that it asks for the step that an error
+ * of the same size would.  0 where it does not count. */
+static double scaled_growth(const Stepper *s, double h) {
+  const double tolerance = s->options.tolerance;
+  if (!s->rhs.damage_growth || !s->options.is_auto || h <= SHORTEST_GROWTH * tolerance) return 0;
+  return pow(s->rhs.damage_growth(s->rhs.context) / (LARGEST_GROWTH * sqrt(tolerance)), 1 / ORDER_EXPONENT);
+}
+
 static double clamp(double value, double low, double high) {
   return fmin(fmax(value, low), high);
 }
 
-/* Step wanted after one of size h with scaled error e (PI controller). */
+/* Step wanted after one of size h with scaled error or growth e (PI controller). */
 static double next_step(const Stepper *s, double h, double e) {
   const double bounded = fmax(e, 1e-8), before = fmax(s->memory.error_before, 1e-8);
   return h * clamp(0.85 * pow(bounded, -0.7 * ORDER_EXPONENT) * pow(before, 0.4 * ORDER_EXPONENT), 0.2, 4.0);
@@ -141,7 +153,7 @@ cleanup:
   return status;
 }
 
-/* Keeps what the controller learns from a proposal of size h with scaled error e. */
+/* Keeps what the controller learns from a proposal of size h with scaled error or growth e. */
 static void adapt_step(Stepper *s, double h, double e) {
   if (!s->options.is_auto) return;
   const double wanted = next_step(s, h, e), before = s->memory.h_next;
@@ -173,15 +185,20 @@ Status stepper_propose(Stepper *s, double t_limit, Log *log, Error *error) {
     status = try_step(s, s->t1, error);
     double shrink = 0.25;
     if (status == STATUS_OK) {
-      const double e = scaled_error(s, h);
+      const double of_x = scaled_error(s, h), of_d = scaled_growth(s, h);
+      const double e = of_d > of_x ? of_d : of_x; /* NaN stays */
       if (e <= 1 || (!s->options.is_auto && isfinite(e))) {
         adapt_step(s, h, e);
-        s->memory.error_max = fmax(s->memory.error_max, e * s->options.tolerance);
+        s->memory.error_max = fmax(s->memory.error_max, of_x * s->options.tolerance);
         s->has_proposal = true;
         return STATUS_OK;
       }
       if (isfinite(e)) shrink = clamp(0.8 * pow(e, -ORDER_EXPONENT), 0.1, 0.8);
-      status = error_set(error, STATUS_REJECT, "the error of the step is %.3g times the tolerance", e);
+      status =
+          of_d > of_x
+              ? error_set(error, STATUS_REJECT, "damage grows by %.3g times what a step may bring",
+                          pow(of_d, ORDER_EXPONENT))
+              : error_set(error, STATUS_REJECT, "the error of the step is %.3g times the tolerance", of_x);
     }
     if (status != STATUS_REJECT) break;
     s->memory.rejected_steps++;

@@ -8,7 +8,11 @@
  *   stepper_accept(...)             the end of the step becomes the accepted state
  *
  * Error of a step: 0.8 (x0 - x1) + 0.4 h (v0 + v1), the third-derivative term of any method of order two; its
- * v1 is the first evaluation of the next step, so that it costs nothing. */
+ * v1 is the first evaluation of the next step, so that it costs nothing.
+ *
+ * Damage runs away within the few elements that rupture, which the mean over the nodes hides: automatic steps
+ * are so short that the largest damage grows by no more than 5 sqrt(tolerance) in each, down to steps of
+ * 10 tolerance, since the damage of a brittle law jumps (docs/decisions/damage-steps.md). */
 #ifndef CAPSELLA_COUPLING_STEPPER_H
 #define CAPSELLA_COUPLING_STEPPER_H
 
@@ -30,7 +34,7 @@ typedef struct {
 typedef struct {
   double t;
   double h_next;       /* size wanted for the next step */
-  double error_before; /* scaled error of the last accepted step */
+  double error_before; /* scaled error, or growth of damage, of the last accepted step */
   double rho;          /* spectral radius, as estimated */
   double steps_since_rho;
   double steps, rejected_steps;

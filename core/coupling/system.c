@@ -156,8 +156,16 @@ static void constrain(void *context, double *x) {
   system_constrain(context, x);
 }
 
+static double damage_growth(void *context) {
+  return membrane_damage_growth(((const CoupledSystem *)context)->membrane);
+}
+
 Rhs system_rhs(CoupledSystem *system) {
-  Rhs rhs = {.n = 3 * system->mesh->n_nodes, .context = system, .evaluate = evaluate, .constrain = constrain};
+  Rhs rhs = {.n = 3 * system->mesh->n_nodes,
+             .context = system,
+             .evaluate = evaluate,
+             .constrain = constrain,
+             .damage_growth = damage_growth};
   if (system->coarse) {
     rhs.open_step = open_step;
     rhs.stage = evaluate_stage;

@@ -74,6 +74,9 @@ void membrane_channels(const Membrane *membrane, double *const channel[MLAW_N_CH
 /* Index of the largest of `value` [n_points]: the first of those that are equal by symmetry. */
 int membrane_largest(const Membrane *membrane, const double *value);
 
+/* By how much the largest trial damage exceeds the largest accepted one; 0 without a damage law. */
+double membrane_damage_growth(const Membrane *membrane);
+
 /* Share of the reference area on which d [n_points] is above 0. */
 double membrane_damaged_area(const Membrane *membrane, const double *d);
 

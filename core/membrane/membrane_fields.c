@@ -48,6 +48,11 @@ int membrane_largest(const Membrane *m, const double *value) {
   return at;
 }
 
+double membrane_damage_growth(const Membrane *m) {
+  if (!m->has_damage) return 0;
+  return m->trial.d[membrane_largest(m, m->trial.d)] - m->accepted.d[membrane_largest(m, m->accepted.d)];
+}
+
 double membrane_damaged_area(const Membrane *m, const double *d) {
   double area = 0, damaged = 0;
   for (int k = 0; k < m->n_points; k++) {

@@ -114,9 +114,6 @@ END {
   }
 
   print "\n## Limits\n"
-  print "- The step control follows the shape and does not see damage.  Where damage runs from 0 to 1 within a few steps"
-  print "  (marigo with Y_C of 0.1 and less in a flow), t_l at the standard tolerance is right within 5 %, and within 1 % at 1e-5."
-  print "- A law whose damage starts with a vertical slope (power with m = 2) is right within 2e-2 at the standard tolerance."
   print "- Fixed steps of rkc2 are stable at any length; those whose error is far above `time.tolerance` are warned of."
   print "- Past rupture, and at d_max near 1, a softened element may fold: the run stops and says so."
   print "\n## To t = 200\n\n320 elements.\n\n| Ca | damage | D12 | energy | volume |\n|---|---|---|---|---|"
