@@ -17,7 +17,10 @@ Status record_new(Record *record, Simulation *s, Error *error) {
   TRY(ARRAY_NEW(&record->R0, n, error));
   TRY(ARRAY_NEW(&record->T1, points, error));
   TRY(ARRAY_NEW(&record->T2, points, error));
-  if (simulation_is_inflation(s)) TRY(ARRAY_NEW(&record->area_vector, n, error));
+  if (simulation_is_inflation(s)) {
+    TRY(ARRAY_NEW(&record->area_vector, n, error));
+    TRY(ARRAY_NEW(&record->load, n, error));
+  }
   TRY(criteria_new(&record->criteria, s, error));
 cleanup:
   if (status != STATUS_OK) record_free(record);
@@ -32,6 +35,7 @@ void record_free(Record *record) {
   array_free(record->T1);
   array_free(record->T2);
   array_free(record->area_vector);
+  array_free(record->load);
   criteria_free(&record->criteria);
   *record = (Record){0};
 }
@@ -176,20 +180,30 @@ Site record_site(const Record *record, const Shape *shape, int k) {
 
 /* ---- rows ---- */
 
-static void inflation_averages(const Record *record, HistoryRow *row) {
+/* The load of the motion is that at the end of the step: the one at the probed time is near. */
+static Status probed_load(Record *record, Error *error) {
+  const Simulation *s = record->simulation;
+  memcpy(record->load, s->motion->q, 3 * (size_t)s->mesh.n_nodes * sizeof *record->load);
+  return membrane_load(s->membrane, LOAD_FULL, record->R, record->load, error);
+}
+
+static Status inflation_averages(Record *record, HistoryRow *row, Error *error) {
   const Simulation *s = record->simulation;
   const MembranePoints points = membrane_points_view(s->membrane);
   double area = 0, damaged = 0, load = 0;
+  const Status status = probed_load(record, error);
+  if (status != STATUS_OK) return status;
   for (int k = 0; k < membrane_points(s->membrane); k++) {
     area += points.J[k] * points.dS0[k];
     if (points.d) damaged += points.d[k] * points.J[k] * points.dS0[k];
   }
   double *A = record->area_vector;
   surface_area_vectors(&s->mesh, NULL, record->x, A);
-  for (int i = 0; i < 3 * s->mesh.n_nodes; i++) load += s->motion->q[i] * A[i];
+  for (int i = 0; i < 3 * s->mesh.n_nodes; i++) load += record->load[i] * A[i];
   row->p = load / area / s->material.shear_modulus;
   row->d = damaged / area;
   row->alpha = inflation_alpha(&s->inflated, record->probed_t);
+  return STATUS_OK;
 }
 
 Status record_row(Record *record, HistoryRow *row, Shape *shape, Error *error) {
@@ -224,7 +238,7 @@ Status record_row(Record *record, HistoryRow *row, Shape *shape, Error *error) {
       .step = record->probed_t > s->motion->t ? record->t1 - s->motion->t : s->motion->last_step,
       .evaluations = s->motion->evaluations(s->motion),
   };
-  if (simulation_is_inflation(s)) inflation_averages(record, row);
+  if (simulation_is_inflation(s)) TRY(inflation_averages(record, row, error));
 cleanup:
   return status;
 }

@@ -31,14 +31,14 @@ struct Record {
   Simulation *simulation;
   RecordData data;
   Criteria criteria;
-  double probed_t;     /* time of the membrane's trial state; NAN: not in the proposed step */
-  double *x, *v, *R;   /* [n_nodes][3] at the probed time */
-  double *R0;          /* [n_nodes][3] at the accepted time */
-  double power0;       /* R0 . v at the start of the proposed step */
-  double curvature;    /* half the second derivative of the power over the step */
-  double *T1, *T2;     /* [n_points] scratch */
-  double *area_vector; /* [n_nodes][3] scratch of an inflation, NULL otherwise */
-  double t1;           /* end of the proposed step */
+  double probed_t;            /* time of the membrane's trial state; NAN: not in the proposed step */
+  double *x, *v, *R;          /* [n_nodes][3] at the probed time */
+  double *R0;                 /* [n_nodes][3] at the accepted time */
+  double power0;              /* R0 . v at the start of the proposed step */
+  double curvature;           /* half the second derivative of the power over the step */
+  double *T1, *T2;            /* [n_points] scratch */
+  double *area_vector, *load; /* [n_nodes][3] scratch of an inflation, NULL otherwise */
+  double t1;                  /* end of the proposed step */
 };
 
 Status record_new(Record *record, Simulation *simulation, Error *error);
