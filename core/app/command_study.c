@@ -23,12 +23,14 @@ static bool parse_count(const char *text, int *count) {
 }
 
 /* Fills in the options; -1 to go on, an exit code otherwise. */
-static int parse(int argc, char **argv, StudyOptions *options, const char **sets) {
+static int parse(int argc, char **argv, StudyOptions *options, bool *dry, const char **sets) {
   for (int i = 1; i < argc; i++) {
     const char *argument = argv[i], *value = i + 1 < argc ? argv[i + 1] : NULL;
     const bool is_jobs = strcmp(argument, "--jobs") == 0;
     if (strcmp(argument, "--resume") == 0) {
       options->runner.resume = true;
+    } else if (strcmp(argument, "--dry-run") == 0) {
+      *dry = true;
     } else if (strcmp(argument, "--quiet") == 0) {
       options->runner.quiet = true;
     } else if (strcmp(argument, "-o") == 0) {
@@ -56,6 +58,21 @@ static int parse(int argc, char **argv, StudyOptions *options, const char **sets
   return options->path ? -1 : refuse("expected a study file", NULL);
 }
 
+/* Reading a study checks the scene and the laws of every combination. */
+static int check_alone(const StudyOptions *options) {
+  Study study;
+  Error error;
+  const Status status = study_read(&study, options->path, options->sets, options->n_sets, &error);
+  if (status != STATUS_OK) {
+    fprintf(stderr, "%s\n", error.text);
+    return exit_code(status);
+  }
+  printf("%s: a %s over %zu combinations; nothing is wrong\n", options->path, study.kind->name,
+         study.n_points);
+  study_free(&study);
+  return EXIT_DONE;
+}
+
 static void print_end(const char *folder, const StudyEnd *end) {
   printf("%s: %ld cases", end->interrupted ? "interrupted" : "done", end->count.cases);
   if (end->count.failed > 0) printf(", %ld failed", end->count.failed);
@@ -77,8 +94,10 @@ static Status lead(const StudyOptions *options, Error *error) {
 int command_study(int argc, char **argv) {
   const char *sets[MAX_SETS];
   StudyOptions options = {.sets = sets, .runner = {.progress = stderr, .interrupt = interrupt_flag()}};
-  const int parsed = parse(argc, argv, &options, sets);
+  bool dry = false;
+  const int parsed = parse(argc, argv, &options, &dry, sets);
   if (parsed >= 0) return parsed;
+  if (dry) return check_alone(&options);
   interrupt_catch();
   Error error;
   Status status = ranks_open(&error);

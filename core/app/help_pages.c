@@ -58,6 +58,7 @@ const HelpPage HELP_PAGES[] = {
                  {.flag = "--resume", .about = "take over the cases that DIR holds already"},
                  {.flag = "--set", .value = "KEY=VALUE", .kind = VALUE_SETTING, .repeats = true,
                   .about = "replace a value of the study's scene"},
+                 {.flag = "--dry-run", .about = "check every combination, compute nothing"},
                  THREADS("threads of each case (default: 1)"),
                  QUIET},
      .text = "Under MPI (mpirun -n 4 capsella study ...) the cases are spread over the ranks, --jobs on "

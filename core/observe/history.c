@@ -4,7 +4,6 @@
 #include "base/text.h"
 #include "observe/number.h"
 #include <errno.h>
-#include <stdbool.h>
 #include <stddef.h>
 #include <string.h>
 #include <unistd.h>
@@ -48,6 +47,12 @@ static size_t column_count(HistoryKind kind) {
   enum { INFLATION_COLUMNS = 3 };
   size_t all = sizeof columns / sizeof *columns;
   return kind == HISTORY_INFLATION ? all : all - INFLATION_COLUMNS;
+}
+
+bool history_has_column(const char *name) {
+  for (size_t k = 0; k < sizeof columns / sizeof *columns; k++)
+    if (strcmp(columns[k].name, name) == 0) return true;
+  return false;
 }
 
 static const char *separator(HistoryKind kind, size_t column) {

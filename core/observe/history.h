@@ -7,6 +7,7 @@
 #define CAPSELLA_OBSERVE_HISTORY_H
 
 #include "base/status.h"
+#include <stdbool.h>
 #include <stdio.h>
 
 /* Dimensionless: lengths by a, time by 1/rate, tensions by G_s.  NAN is written as `nan`. */
@@ -29,6 +30,9 @@ typedef struct {
   HistoryKind kind;
   long long bytes; /* length of the file after the last whole row: what a snapshot keeps */
 } History;
+
+/* Whether a history of some kind has a column of this name. */
+bool history_has_column(const char *name);
 
 /* Makes (or empties) the file and writes the header line; on failure it is left closed. */
 Status history_open(History *history, const char *path, HistoryKind kind, Error *error);

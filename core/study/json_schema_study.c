@@ -11,6 +11,12 @@ static const struct {
 } SHAPES[] = {
     {"snapshots", "{\"type\": \"boolean\", \"default\": false, \"description\": \"Whether the runs keep "
                   "snapshots along the way.\"}"},
+    {"charts",
+     "{\"type\": \"array\", \"description\": \"Charts to draw: figures at the end of the runs over the "
+     "longest varied range, or columns of their histories over another.\", \"items\": {\"type\": "
+     "\"object\", \"additionalProperties\": false, \"required\": [\"draw\"], \"properties\": {\"draw\": "
+     "{\"type\": [\"string\", \"array\"], \"items\": {\"type\": \"string\"}, \"minItems\": 1}, \"over\": "
+     "{\"type\": \"string\"}}}}"},
     {"find",
      "{\"type\": \"array\", \"minItems\": 1, \"description\": \"What is to be found: Ca_c, the onset of "
      "damage; Ca_l, rupture; or the value of a key where something begins to hold.\", \"items\": "

@@ -35,16 +35,22 @@ static const char *last_name(const char *key) {
   return dot ? dot + 1 : key;
 }
 
-/* "Ca_l, Y_C = 2". */
-static Status describe(const Drawing *drawing, const char *name, size_t point, Text *label, Error *error) {
+/* "Y_C = 2", or "no damage" where the key is removed. */
+static Status describe(const Axis *axis, size_t value, Text *label, Error *error) {
+  const char *name = last_name(axis->key), *text = axis->values[value].value,
+             *separator = label->length ? ", " : "";
+  return *text ? text_append(label, error, "%s%s = %s", separator, name, text)
+               : text_append(label, error, "%sno %s", separator, name);
+}
+
+Status study_chart_label(const Study *study, const char *name, size_t point, size_t skipped, Text *label,
+                         Error *error) {
   Status status = text_append(label, error, "%s", name);
-  size_t stride = drawing->study->n_points;
-  for (size_t a = 0; a < drawing->study->n_axes && status == STATUS_OK; a++) {
-    const Axis *axis = &drawing->study->axes[a];
+  size_t stride = study->n_points;
+  for (size_t a = 0; a < study->n_axes && status == STATUS_OK; a++) {
+    const Axis *axis = &study->axes[a];
     stride /= axis->n;
-    if (a == drawing->axis || axis->n == 1) continue;
-    status = text_append(label, error, "%s%s = %s", label->length ? ", " : "", last_name(axis->key),
-                         axis->values[point / stride % axis->n].value);
+    if (a != skipped && axis->n > 1) status = describe(axis, point / stride % axis->n, label, error);
   }
   return status;
 }
@@ -66,7 +72,8 @@ static Status add_series(Drawing *drawing, const Curve *curve, size_t first, Err
     any = any || isfinite(y[i]);
   }
   if (!any || is_drawn(drawing, y)) return STATUS_OK;
-  const Status status = describe(drawing, curve->name, first, &drawing->label[k], error);
+  const Status status =
+      study_chart_label(drawing->study, curve->name, first, drawing->axis, &drawing->label[k], error);
   drawing->series[drawing->n_series++] =
       (ChartSeries){.label = drawing->label[k].length ? drawing->label[k].data : NULL,
                     .x = drawing->study->axes[drawing->axis].numbers,

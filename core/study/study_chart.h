@@ -14,4 +14,9 @@ typedef struct {
 Status study_chart_write(const StudyRun *run, const char *file, const char *y_label, const Curve *curves,
                          size_t n, Error *error);
 
+/* Appends what tells a point of a study from the others: "NAME, Y_C = 2, no damage".  The axis `skipped` is
+ * left out; n_axes: none is. */
+Status study_chart_label(const Study *study, const char *name, size_t point, size_t skipped, Text *label,
+                         Error *error);
+
 #endif

@@ -4,8 +4,8 @@
 #include "base/array.h"
 #include "study/entry.h"
 #include "study/label.h"
-#include "study/study_chart.h"
 #include "study/study_run.h"
+#include "study/sweep_charts.h"
 #include "study/table.h"
 
 static Status request_all(const StudyRun *run, Override *settings, int *cases, Error *error) {
@@ -37,23 +37,6 @@ static Status write_table(const StudyRun *run, const int *cases, Error *error) {
   return table_write(&table, run->folder, "table.csv");
 }
 
-/* The largest damage and the deformation at the end of the runs. */
-static Status draw(const StudyRun *run, const int *cases, Error *error) {
-  static const char *const figures[] = {"d_max", "D12"};
-  static const char *const files[] = {"d_max.svg", "D12.svg"};
-  Status status = STATUS_OK;
-  double *values = NULL;
-  TRY(ARRAY_NEW(&values, run->study->n_points, error));
-  for (int k = 0; k < 2; k++) {
-    for (size_t i = 0; i < run->study->n_points; i++)
-      values[i] = case_number(runner_case(run->runner, cases[i]), figures[k]);
-    TRY(study_chart_write(run, files[k], figures[k], &(Curve){"", values}, 1, error));
-  }
-cleanup:
-  array_free(values);
-  return status;
-}
-
 static Status sweep(StudyRun *run, Error *error) {
   Status status = STATUS_OK;
   Override *settings = NULL;
@@ -63,7 +46,7 @@ static Status sweep(StudyRun *run, Error *error) {
   TRY(request_all(run, settings, cases, error));
   TRY(runner_wait_all(run->runner, error));
   TRY(write_table(run, cases, error));
-  TRY(draw(run, cases, error));
+  TRY(sweep_charts_write(run, cases, error));
 cleanup:
   array_free(cases);
   array_free(settings);
@@ -77,13 +60,14 @@ static Status prepare(Study *study, Error *error) {
   int snapshots = 0;
   const YamlNode *node = yaml_tree_find(study->root, "snapshots");
   if (node) TRY(entry_choice(node, "snapshots", words, &snapshots, error));
+  TRY(sweep_charts_check(study, error));
   if (!snapshots) TRY(study_set(study, "output.snapshot_every", "0", error));
   TRY(study_check_points(study, error));
 cleanup:
   return status;
 }
 
-static const char *const KEYS[] = {"snapshots", NULL};
+static const char *const KEYS[] = {"snapshots", "charts", NULL};
 
 const StudyKind SWEEP = {
     .name = "sweep", .keys = KEYS, .prepare = prepare, .run = sweep, .keeps_states = true};

@@ -83,6 +83,12 @@ static const char *const RUPTURE[] = {"angle_to_vorticity_deg", "angle_to_major_
 static const char *const AXES[] = {"1", "2", "3"};
 enum { N_FIGURES = sizeof FIGURES / sizeof *FIGURES, N_RUPTURE = sizeof RUPTURE / sizeof *RUPTURE };
 
+bool table_has_figure(const char *name) {
+  for (int i = 0; i < N_FIGURES; i++)
+    if (strcmp(FIGURES[i], name) == 0) return true;
+  return false;
+}
+
 void table_case_header(Table *table) {
   table_text(table, "case");
   table_text(table, "status");

@@ -26,6 +26,9 @@ void table_axes(Table *table, const Study *study, size_t point);
 void table_case_header(Table *table);
 void table_case(Table *table, const Case *item);
 
+/* Whether one of these columns is a figure of this name, found in the case's summary under the same. */
+bool table_has_figure(const char *name);
+
 /* Writes FOLDER/NAME and frees the table. */
 Status table_write(Table *table, const char *folder, const char *name);
 

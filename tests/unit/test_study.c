@@ -115,6 +115,13 @@ START_TEST(mistakes_are_named_with_their_place) {
       {"scene: [1]\n", ":3:8: expected text for `scene`, found a list"},
       {"scene: {schema: 1}\n", "expected the key `membrane.law`"},
       {SCENE "snapshots: maybe\n", ":8:12: expected `false` or `true` for `snapshots`, found `maybe`"},
+      {SCENE "charts: {draw: d_max}\n", ":8:9: expected a list for `charts`, found a mapping"},
+      {SCENE "charts: [d_max]\n", ":8:10: expected a mapping `{draw: , over: }`"},
+      {SCENE "charts: [{over: t}]\n", "expected the key `draw`"},
+      {SCENE "charts: [{draw: []}]\n", "expected one to 8 names for `draw`, found 0"},
+      {SCENE "charts: [{draw: d_max}, {draw: L4}]\n", "expected columns of table.csv, found `L4`"},
+      {SCENE "charts: [{draw: D12, over: angle}]\n", "expected columns of history.csv, found `angle`"},
+      {SCENE "charts: [{draw: [D12, t_l], over: t}]\n", "expected columns of history.csv, found `t_l`"},
       {SCENE "name: a/b\n", ":8:7: expected a name without '/'"},
   };
   for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
