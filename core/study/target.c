@@ -2,6 +2,7 @@
 
 #include "study/entry.h"
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 static const char CAPILLARY_NUMBER[] = "flow.capillary_number";
@@ -61,12 +62,18 @@ cleanup:
   return status;
 }
 
-bool target_holds(const Target *target, const Case *item) {
+static bool has_time(const Case *item, const char *where, const char *event) {
+  char key[48];
+  snprintf(key, sizeof key, "%s%s", where ? where : "", event);
+  return isfinite(case_number(item, key));
+}
+
+bool target_holds(const Target *target, const Case *item, const char *where) {
   switch (target->condition) {
   case WHEN_DAMAGED:
-    return isfinite(case_number(item, "t_c"));
+    return has_time(item, where, "t_c");
   case WHEN_RUPTURED:
-    return isfinite(case_number(item, "t_l"));
+    return has_time(item, where, "t_l");
   case WHEN_ABOVE:
     return case_number(item, target->figure) > target->above;
   }

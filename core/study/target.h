@@ -18,7 +18,8 @@ typedef struct {
 /* Reads one entry of `find`. */
 Status target_read(const YamlNode *node, Target *target, Error *error);
 
-/* Whether the condition held in a case that has ended well. */
-bool target_holds(const Target *target, const Case *item);
+/* Whether the condition held in a case that has ended well: for the membrane itself (`where` NULL), or for a
+ * criterion that looked on, damage and rupture being told in its entry of the summary ("criteria.2."). */
+bool target_holds(const Target *target, const Case *item, const char *where);
 
 #endif

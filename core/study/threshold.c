@@ -4,30 +4,23 @@
 #include "study/threshold.h"
 
 #include "base/array.h"
+#include "study/answer.h"
 #include "study/decimal.h"
 #include "study/elastic.h"
-#include "study/entry.h"
 #include "study/neighbours.h"
 #include "study/onset.h"
+#include "study/plan.h"
 #include "study/study_chart.h"
 #include "study/table.h"
 #include "study/trial_search.h"
 #include <math.h>
 #include <string.h>
 
-enum { MOST_TARGETS = 8 };
-
 /* Share of the elastic severity at which capsules give way: the membrane around a weak point carries a part
  * of its load.  It serves first guesses only. */
 static const double RELIEF = 1.2;
 /* How far from such a guess, relative to it, the first trials are made. */
 static const double FIRST_REACH = 0.08;
-
-typedef struct {
-  Target target[MOST_TARGETS];
-  size_t n_targets;
-  double low, high, tolerance;
-} Plan;
 
 typedef struct {
   Override *settings; /* [n_axes] */
@@ -47,55 +40,6 @@ typedef struct {
 } Threshold;
 
 /* ---- the study file ---- */
-
-static Status read_targets(const YamlNode *find, Plan *plan, Error *error) {
-  Status status = STATUS_OK;
-  if (find->kind != YAML_TREE_LIST || find->count == 0 || find->count > MOST_TARGETS)
-    return place_error(&find->place, error, "expected a list of 1 to %d targets for `find`, found %s",
-                       MOST_TARGETS, yaml_tree_found(find).text);
-  for (; plan->n_targets < find->count; plan->n_targets++) {
-    const YamlNode *node = find->items[plan->n_targets];
-    Target *target = &plan->target[plan->n_targets];
-    TRY(target_read(node, target, error));
-    for (size_t i = 0; i < plan->n_targets; i++)
-      if (strcmp(plan->target[i].name, target->name) == 0)
-        TRY(place_error(&node->place, error, "expected each target once, found `%s` again", target->name));
-  }
-cleanup:
-  return status;
-}
-
-static Status read_bracket(const YamlNode *node, Plan *plan, Error *error) {
-  Status status = STATUS_OK;
-  if (node->kind != YAML_TREE_LIST || node->count != 2)
-    return place_error(&node->place, error, "expected [low, high] for `bracket`, found %s",
-                       yaml_tree_found(node).text);
-  TRY(entry_number(node->items[0], "bracket", &plan->low, error));
-  TRY(entry_number(node->items[1], "bracket", &plan->high, error));
-  if (!(plan->low > 0 && plan->low < plan->high))
-    TRY(place_error(&node->place, error, "expected 0 < low < high for `bracket`, found [%g, %g]", plan->low,
-                    plan->high));
-cleanup:
-  return status;
-}
-
-static Status read_plan(const Study *study, Plan *plan, Error *error) {
-  Status status = STATUS_OK;
-  const YamlNode *find, *bracket, *tolerance;
-  *plan = (Plan){0};
-  TRY(entry_find(study->root, "find", "a list such as [Ca_c, Ca_l]", &find, error));
-  TRY(entry_find(study->root, "bracket", "[low, high]", &bracket, error));
-  TRY(entry_find(study->root, "tolerance", "a number above 0", &tolerance, error));
-  TRY(read_targets(find, plan, error));
-  TRY(read_bracket(bracket, plan, error));
-  TRY(entry_number(tolerance, "tolerance", &plan->tolerance, error));
-  if (!(plan->tolerance > 0 && plan->tolerance < plan->high - plan->low))
-    TRY(place_error(&tolerance->place, error,
-                    "expected a number above 0 and below the length of the bracket for `tolerance`, found %g",
-                    plan->tolerance));
-cleanup:
-  return status;
-}
 
 /* The scenes at both ends of the bracket, for each target and point. */
 static Status check(const Study *study, const Plan *plan, Error *error) {
@@ -123,7 +67,7 @@ static Status prepare(Study *study, Error *error) {
       {"stop.rupture", "stop"}, {"stop.steady", "5e-4"}, {"output.history_every", "0.05"}};
   Status status = STATUS_OK;
   Plan plan;
-  TRY(read_plan(study, &plan, error));
+  TRY(plan_read(study, &plan, error));
   for (size_t i = 0; i < sizeof settings / sizeof *settings; i++)
     if (!study_scene_gives(study, settings[i][0]))
       TRY(study_set(study, settings[i][0], settings[i][1], error));
@@ -193,7 +137,7 @@ static Status set_up(Threshold *threshold, StudyRun *run, Error *error) {
   Status status = STATUS_OK;
   const Study *study = run->study;
   *threshold = (Threshold){.run = run};
-  TRY(read_plan(study, &threshold->plan, error));
+  TRY(plan_read(study, &threshold->plan, error));
   const size_t searches = threshold->plan.n_targets * study->n_points;
   TRY(ARRAY_NEW(&threshold->points, study->n_points, error));
   TRY(ARRAY_NEW(&threshold->groups, study->n_points, error));
@@ -329,12 +273,6 @@ cleanup:
 
 /* ---- results ---- */
 
-typedef struct {
-  double value, low, high, error;
-  int runs;
-  const char *note;
-} Answer;
-
 static Answer elastic_answer(const Point *point) {
   const LevelCrossing crossing = elastic_cross(point->elastic, point->onset.onset);
   Answer answer = {.value = decimal_digits(crossing.x, 6),
@@ -349,26 +287,12 @@ static Answer elastic_answer(const Point *point) {
 
 static Answer answer_of(const Threshold *threshold, size_t t, size_t p) {
   if (is_elastic(threshold, t, p)) return elastic_answer(&threshold->points[p]);
-  const Search *search = &threshold->searches[t * threshold->run->study->n_points + p];
-  if (!search->begun) return (Answer){NAN, NAN, NAN, NAN, 0, "not run"};
-  const Bracket *bracket = &search->bracket;
-  const double value = bracket_value(bracket);
-  return (Answer){.value = value,
-                  .low = bracket->no,
-                  .high = bracket->yes,
-                  .error = isnan(value) ? NAN : decimal_digits(0.5 * (bracket->yes - bracket->no), 2),
-                  .runs = search->runs,
-                  .note = search->reason};
+  return search_answer(&threshold->searches[t * threshold->run->study->n_points + p]);
 }
 
 static void put_header(Table *table, const Threshold *threshold) {
-  static const char *const parts[] = {"low", "high", "error", "runs", "note"};
   table_axes_header(table, threshold->run->study);
-  for (size_t t = 0; t < threshold->plan.n_targets; t++) {
-    table_text(table, threshold->plan.target[t].name);
-    for (size_t i = 0; i < sizeof parts / sizeof *parts; i++)
-      table_component(table, threshold->plan.target[t].name, parts[i]);
-  }
+  for (size_t t = 0; t < threshold->plan.n_targets; t++) answer_header(table, threshold->plan.target[t].name);
   table_end_row(table);
 }
 
@@ -381,12 +305,7 @@ static Status write_table(const Threshold *threshold, Error *error) {
     table_axes(&table, study, p);
     for (size_t t = 0; t < threshold->plan.n_targets; t++) {
       const Answer answer = answer_of(threshold, t, p);
-      table_number(&table, answer.value);
-      table_number(&table, answer.low);
-      table_number(&table, answer.high);
-      table_number(&table, answer.error);
-      table_number(&table, answer.runs);
-      table_text(&table, answer.note);
+      answer_put(&table, &answer);
     }
     table_end_row(&table);
   }

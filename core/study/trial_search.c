@@ -11,6 +11,17 @@ void search_begin(Search *search, double low, double high, double tolerance, dou
   search->begun = true;
 }
 
+/* Of the case with settings [n_settings + 1], the last of which is tried. */
+static Status print_label(const Search *search, const Override *settings, Text *label, Error *error) {
+  Status status = STATUS_OK;
+  label->length = 0;
+  if (!search->label) return label_append(label, settings, search->n_settings + 1, error);
+  TRY(text_append(label, error, "%s,", search->label));
+  TRY(label_append(label, settings + search->n_settings, 1, error));
+cleanup:
+  return status;
+}
+
 static Status request(Search *search, Runner *runner, Error *error) {
   Status status = STATUS_OK;
   Text label = {0};
@@ -22,8 +33,7 @@ static Status request(Search *search, Runner *runner, Error *error) {
     char value[DECIMAL_SIZE];
     decimal_print(search->trial[i], value);
     settings[n] = (Override){.key = search->target->key, .value = value};
-    label.length = 0;
-    TRY(label_append(&label, settings, n + 1, error));
+    TRY(print_label(search, settings, &label, error));
     TRY(runner_request(runner, label.data, settings, n + 1, &search->cases[i], error));
     search->runs++;
   }
@@ -38,7 +48,7 @@ static void learn(Search *search, const Case *item, double value) {
     search->reason = item->reason;
     return;
   }
-  const bool holds = target_holds(search->target, item);
+  const bool holds = target_holds(search->target, item, search->where);
   search->unsettled += !holds && strcmp(case_status(item), "end") == 0;
   bracket_learn(&search->bracket, value, holds);
 }
@@ -60,4 +70,16 @@ Status search_advance(Search *search, Runner *runner, bool *moved, Error *error)
   search->over = search->n_trials == 0;
   if (search->over && !search->reason) search->reason = why_open(&search->bracket);
   return request(search, runner, error);
+}
+
+Answer search_answer(const Search *search) {
+  if (!search->begun) return (Answer){NAN, NAN, NAN, NAN, 0, search->reason ? search->reason : "not run"};
+  const Bracket *bracket = &search->bracket;
+  const double value = bracket_value(bracket);
+  return (Answer){.value = value,
+                  .low = bracket->no,
+                  .high = bracket->yes,
+                  .error = isnan(value) ? NAN : decimal_digits(0.5 * (bracket->yes - bracket->no), 2),
+                  .runs = search->runs,
+                  .note = search->reason};
 }

@@ -21,13 +21,14 @@ criteria:
 END
 "$capsella" study study.yaml -o all --quiet
 
-# cell CRITERION MODE COLUMN: of the table
+# cell CRITERION MODE COLUMN: of the table in $results
+results=all
 cell() {
   awk -F, -v name="$1" -v mode="$2" -v column="$3" '
     NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next }
     # a label with a comma stands in quotes
     { gsub(/"[^"]*"/, "label") }
-    $1 == name && $3 == mode { print $at[column] }' all/table.csv
+    $1 == name && $3 == mode { print $at[column] }' $results/table.csv
 }
 # between CELL LOW HIGH
 between() {
@@ -74,3 +75,66 @@ refused 's/strength: .Y_D/strength: [Y_E/' '^wrong.yaml:12:.*found `Y_E`'
 refused 's/law: marigo/law: marigoo/; /^confirm/d' 'marigoo.*did you mean `marigo`'
 refused 's/Ca_l: scene/Ca_l: some/' '^wrong.yaml:9:.*expected a number.*some'
 refused 's/confirm:/mode: coupled\nconfirm:/' 'confirm.*mode `coupled`'
+
+# Limits, in shear flow: Ca_c where elastic runs say, and Ca_l of the law that acts on the membrane where a search of
+# its own says.  Without feedback the limit is higher; a law calibrated to a limit has that one.
+cat >shear.yaml <<END
+schema: 1
+capsule: {mesh: {subdivisions: 1}}
+membrane: {law: neo_hookean}
+flow: {kind: simple_shear, capillary_number: 0.7}
+time: {end: 5}
+accuracy: draft
+END
+cat >limits.yaml <<END
+schema: 1
+study: compare
+scene: shear.yaml
+confirm: [marigo]
+find: [Ca_c, Ca_l]
+bracket: [0.2, 1.2]
+tolerance: 0.04
+criteria:
+  - {law: marigo, parameters: {Y_D: 0.2, Y_C: 0.4}, strength: [Y_D, Y_C]}
+  - {name: area, law: area_dilation, parameters: {alpha_D: 0.2, alpha_C: 0.3}, strength: [alpha_D, alpha_C]}
+END
+cat >threshold.yaml <<END
+schema: 1
+study: threshold
+scene: shear.yaml
+find: [Ca_c, Ca_l]
+bracket: [0.2, 1.2]
+tolerance: 0.01
+vary: {membrane.damage: [{law: marigo, parameters: {Y_D: 0.2, Y_C: 0.4}}]}
+END
+"$capsella" study limits.yaml -o limits --quiet
+"$capsella" study threshold.yaml -o threshold --quiet --set stop.steady=0
+# found COLUMN: by the threshold study
+found() {
+  awk -F, -v name="$1" '{ gsub(/"[^"]*"/, "label") } NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next }
+    { print $at[name] }' threshold/table.csv
+}
+results=limits
+for mode in passive coupled; do
+  between "$(found Ca_c)" "$(cell marigo $mode Ca_c_low)" "$(cell marigo $mode Ca_c_high)" \
+    "Ca_c of marigo, $mode"
+done
+# Both searches have an interval of their own for the same limit.
+between "$(cell marigo coupled Ca_l_low)" 0 "$(found Ca_l_high)" "Ca_l of marigo that acts"
+between "$(cell marigo coupled Ca_l_high)" "$(found Ca_l_low)" 2 "Ca_l of marigo that acts"
+between "$(cell marigo passive Ca_l_low)" "$(cell marigo coupled Ca_l_high)" 1.2 "passive Ca_l"
+[ "$(grep -c '"Ca_l": 0' limits/summary.json)" = 3 ] || fail "limits: $(cat limits/summary.json)"
+
+sed '/^confirm/d; s/^find.*/find: [Ca_l]\ncalibrate: {Ca_l: 0.6}/' limits.yaml >calibrated.yaml
+"$capsella" study calibrated.yaml -o calibrated --quiet
+results=calibrated
+for name in marigo area; do
+  between 0.6 "$(cell $name passive Ca_l_low)" "$(cell $name passive Ca_l_high)" \
+    "limit of $name, which was calibrated"
+done
+
+cp limits.yaml study.yaml
+refused 's/find:.*/find: [{name: a, when: ruptured}]/' '^wrong.yaml:5:8: .*`Ca_c` or `Ca_l` in `find`'
+refused 's/^confirm.*/vary: {flow.capillary_number: [1, 2]}/' '^wrong.yaml:5:8: .*leave the capillary number'
+refused '/^find/d' 'the key `find`'
+refused '/^tolerance/d' 'the key `tolerance`'
