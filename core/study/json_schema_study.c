@@ -73,6 +73,10 @@ static void study_kind(Json *json, const StudyKind *kind) {
   json_close(json);
 }
 
+/* A search takes all three. */
+static const char TOGETHER[] = "{\"find\": [\"bracket\", \"tolerance\"], \"bracket\": [\"find\"], "
+                               "\"tolerance\": [\"find\"]}";
+
 static const char VARY[] =
     "{\"type\": \"object\", \"description\": \"Keys of the scene, with dots, and the values each takes: "
     "every "
@@ -121,6 +125,7 @@ Status json_schema_study(Text *text, Error *error) {
   json_string(&json, "title", "A study of Capsella");
   json_string(&json, "type", "object");
   json_raw(&json, "required", "[\"schema\", \"study\", \"scene\"]");
+  json_raw(&json, "dependentRequired", TOGETHER);
   TRY(study_keys(&json, error));
   json_open_array(&json, "oneOf");
   for (size_t i = 0; STUDY_KINDS[i]; i++) study_kind(&json, STUDY_KINDS[i]);

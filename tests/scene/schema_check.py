@@ -84,7 +84,7 @@ for keys, value in MISTAKES:
             failures.append(f"{'.'.join(keys)} = {value}: the program ends with {code}")
 
 study = load(folder / "studies" / "compare_criteria.yaml")
-for change in ({"study": "sweep"}, {"mode": "active"}, {"bracket": [0.1, 1.2]}, {"criteria": []}):
+for change in ({"study": "sweep"}, {"mode": "active"}, {"bracket": [0.1, 1.2]}, {"find": ["Ca_l"]}, {"criteria": []}):
     if study_validator.is_valid({**study, **change}):
         failures.append(f"a comparison with {change} fits the schema")
 
