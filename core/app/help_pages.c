@@ -154,12 +154,18 @@ const HelpPage HELP_PAGES[] = {
                   {"capsella laws new creep --kind damage-general --cxx --name acme.creep", NULL}}},
 
     {.name = "report",
-     .about = "make page and picture from a folder of results",
+     .about = "make page and pictures from a folder of results",
      .options = {{.value = "DIR", .kind = VALUE_FOLDER, .required = true,
-                  .about = "the folder of a run or of a study"}},
-     .text = "Draws the newest snapshot of DIR into DIR/capsule.svg, coloured by damage, and writes the page "
-             "DIR/report.html. Of a study's folder, it makes the page.",
-     .examples = {{"capsella report results/shear_reference", NULL}}},
+                  .about = "the folder of a run or of a study"},
+                 {.flag = "--color", .value = "FIELD", .kind = VALUE_CHOICE, .choices = "d Y T1 T2",
+                  .about = "what the capsule is coloured by (default: d, without damage Y)"},
+                 {.flag = "--time", .value = "T", .about = "when it is seen: at the nearest snapshot (default: the newest)"}},
+     .text = "Writes the page DIR/report.html and two pictures for papers: DIR/capsule.svg, deformed and at rest, "
+             "with the place of first rupture or of the largest damage marked, and DIR/curves.svg. "
+             "`rsvg-convert -z 2 capsule.svg -o capsule.png` makes a PNG, with -f pdf a PDF. "
+             "Of a study's folder, it makes the page.",
+     .examples = {{"capsella report results/shear_reference", NULL},
+                  {"capsella report results/shear_reference --color T1 --time 3", "the larger tension, at t = 3"}}},
 
     {.name = "bench",
      .about = "measure run time against error on this machine",

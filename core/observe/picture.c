@@ -10,8 +10,8 @@
 #include <stdbool.h>
 
 const PictureView picture_shear_views[2] = {
-    {{0, -1, 0}, {0, 0, 1}, "along the vorticity axis"},
-    {{0, 0, 1}, {0, 1, 0}, "along the velocity gradient"},
+    {{0, -1, 0}, {0, 0, 1}, "along the vorticity axis", false},
+    {{0, 0, 1}, {0, 1, 0}, "along the velocity gradient", false},
 };
 const PictureAxis picture_shear_axes[3] = {
     {{1, 0, 0}, "flow"}, {{0, 0, 1}, "gradient"}, {{0, 1, 0}, "vorticity"}};
@@ -28,7 +28,7 @@ enum {
 static const double FILLING = 0.78; /* part of a view's width that the capsule takes at most */
 
 typedef struct {
-  double center[3];        /* of the box around the capsule */
+  double center[2][3];     /* of the boxes around the capsule and, with a view of it, around that at rest */
   double scale;            /* pixels per length: the capsule fits however it is turned */
   double minimum, maximum; /* of the colour bar, with a field */
   int cuts;                /* of an element's edge */
@@ -93,19 +93,33 @@ static void range_of(const Picture *picture, double *minimum, double *maximum) {
   if (*maximum - *minimum <= 1e-9 * size) *maximum = *minimum + fmax(size, 1);
 }
 
-static void frame_of(const Picture *picture, Frame *frame) {
-  const int n = picture->mesh->n_nodes;
+static const double *positions_of(const Picture *picture, bool is_reference) {
+  return is_reference ? picture->X : picture->x;
+}
+
+/* The centre of the box around the capsule; returns the largest distance from it. */
+static double measure(const double *x, int n_nodes, double center[3]) {
   double half_width = 0;
-  *frame = (Frame){.cuts = cuts_for(picture)};
   for (int i = 0; i < 3; i++) {
     double low = HUGE_VAL, high = -HUGE_VAL;
-    for (int p = 0; p < n; p++) {
-      low = fmin(low, picture->x[3 * p + i]);
-      high = fmax(high, picture->x[3 * p + i]);
+    for (int p = 0; p < n_nodes; p++) {
+      low = fmin(low, x[3 * p + i]);
+      high = fmax(high, x[3 * p + i]);
     }
-    frame->center[i] = 0.5 * (low + high);
+    center[i] = 0.5 * (low + high);
   }
-  for (int p = 0; p < n; p++) half_width = fmax(half_width, vec3_distance(picture->x + 3 * p, frame->center));
+  for (int p = 0; p < n_nodes; p++) half_width = fmax(half_width, vec3_distance(x + 3 * p, center));
+  return half_width;
+}
+
+static void frame_of(const Picture *picture, Frame *frame) {
+  *frame = (Frame){.cuts = cuts_for(picture)};
+  double half_width = 0;
+  for (size_t k = 0; k < picture->n_views; k++) {
+    const bool is_reference = picture->views[k].is_reference;
+    half_width = fmax(half_width, measure(positions_of(picture, is_reference), picture->mesh->n_nodes,
+                                          frame->center[is_reference]));
+  }
   frame->scale = 0.5 * FILLING * VIEW_SIZE / half_width;
   if (picture->field) range_of(picture, &frame->minimum, &frame->maximum);
 }
@@ -124,13 +138,13 @@ static Status print_piece(Text *svg, const Piece *piece, double scale, unsigned 
 
 /* The capsule in the square of one view.  A stroke of each piece's own colour closes the hair lines between
  * neighbours. */
-static Status print_capsule(const Picture *picture, const Frame *frame, const Projection *projection,
-                            Text *svg, Error *error) {
+static Status print_capsule(const Picture *picture, const Frame *frame, bool is_reference,
+                            const Projection *projection, Text *svg, Error *error) {
   Status status;
   Piece *pieces = NULL;
   size_t count;
-  TRY(projection_pieces(projection, picture->mesh, picture->x, picture->field, frame->center, frame->cuts,
-                        &pieces, &count, error));
+  TRY(projection_pieces(projection, picture->mesh, positions_of(picture, is_reference), picture->field,
+                        frame->center[is_reference], frame->cuts, &pieces, &count, error));
   TRY(text_append(svg, error,
                   "<g transform=\"scale(.1)\" fill=\"currentColor\" stroke=\"currentColor\" "
                   "stroke-width=\"6\" stroke-linejoin=\"round\">\n"));
@@ -143,10 +157,10 @@ cleanup:
 }
 
 /* Pixels of a mark in its view; false when it is on the far side. */
-static bool place_mark(const PictureMark *mark, const Frame *frame, const Projection *projection,
-                       double at[2]) {
+static bool place_mark(const PictureMark *mark, const Frame *frame, bool is_reference,
+                       const Projection *projection, double at[2]) {
   double arm[3];
-  vec3_subtract(mark->x, frame->center, arm);
+  vec3_subtract(is_reference ? mark->X : mark->x, frame->center[is_reference], arm);
   at[0] = 0.5 * VIEW_SIZE + frame->scale * vec3_dot(arm, projection->right);
   at[1] = 0.5 * VIEW_SIZE - frame->scale * vec3_dot(arm, projection->up);
   return vec3_dot(arm, projection->toward) >= -1e-9 * vec3_norm(arm);
@@ -155,14 +169,16 @@ static bool place_mark(const PictureMark *mark, const Frame *frame, const Projec
 /* The dots of a view: the first mark seen near a place leads those that fall together with it. */
 typedef struct {
   double at[2];
-  bool is_seen;
+  bool is_near, is_seen;
   size_t leader;
 } Dot;
 
-static void gather_dots(const Picture *picture, const Frame *frame, const Projection *projection, Dot *dots) {
+static void gather_dots(const Picture *picture, const Frame *frame, bool is_reference,
+                        const Projection *projection, Dot *dots) {
   enum { TOGETHER = 10 };
   for (size_t k = 0; k < picture->n_marks; k++) {
-    dots[k].is_seen = place_mark(&picture->marks[k], frame, projection, dots[k].at);
+    dots[k].is_near = place_mark(&picture->marks[k], frame, is_reference, projection, dots[k].at);
+    dots[k].is_seen = dots[k].is_near || picture->marks_shine_through;
     dots[k].leader = k;
     for (size_t i = 0; i < k && dots[k].leader == k; i++)
       if (dots[i].is_seen && dots[i].leader == i &&
@@ -180,22 +196,24 @@ static Status print_dot(const Picture *picture, const Dot *dots, size_t leader, 
       TRY(text_append(&label, error, "%s%s", k > leader ? " " : "", picture->marks[k].label));
   TRY(text_append(
       svg, error,
-      "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4\" fill=\"#d43\" stroke=\"#fff\" stroke-width=\"1.5\"/>\n", at[0],
-      at[1]));
+      "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4\" fill=\"#d43\" stroke=\"#fff\" stroke-width=\"1.5\"%s/>\n",
+      at[0], at[1], dots[leader].is_near ? "" : " opacity=\"0.6\""));
   TRY(svg_label(svg, at[0] + 7, at[1] - 5, "start", label.data, error));
 cleanup:
   text_free(&label);
   return status;
 }
 
-static Status print_marks(const Picture *picture, const Frame *frame, const Projection *projection, Text *svg,
-                          Error *error) {
+static Status print_marks(const Picture *picture, const Frame *frame, bool is_reference,
+                          const Projection *projection, Text *svg, Error *error) {
   Status status = STATUS_OK;
   Dot *dots = NULL;
   TRY(ARRAY_NEW(&dots, picture->n_marks, error));
-  gather_dots(picture, frame, projection, dots);
+  gather_dots(picture, frame, is_reference, projection, dots);
+  TRY(text_append(svg, error, "<g class=\"mark\">\n"));
   for (size_t k = 0; k < picture->n_marks; k++)
     if (dots[k].is_seen && dots[k].leader == k) TRY(print_dot(picture, dots, k, svg, error));
+  TRY(text_append(svg, error, "</g>\n"));
 cleanup:
   array_free(dots);
   return status;
@@ -237,11 +255,11 @@ static Status print_view(const Picture *picture, const Frame *frame, const Pictu
   TRY(projection_make(&projection, view->toward, view->up, error));
   TRY(text_append(svg, error, "<g transform=\"translate(%zu %d)\">\n", index * VIEW_SIZE, TITLE_HEIGHT));
   if (view->title) TRY(svg_label(svg, 0.5 * VIEW_SIZE, -8, "middle", view->title, error));
-  TRY(print_capsule(picture, frame, &projection, svg, error));
+  TRY(print_capsule(picture, frame, view->is_reference, &projection, svg, error));
   TRY(text_append(svg, error, "<g stroke=\"#333\">\n"));
   for (size_t k = 0; k < picture->n_axes; k++) TRY(print_axis(&picture->axes[k], &projection, svg, error));
   TRY(text_append(svg, error, "</g>\n"));
-  TRY(print_marks(picture, frame, &projection, svg, error));
+  TRY(print_marks(picture, frame, view->is_reference, &projection, svg, error));
   TRY(text_append(svg, error, "</g>\n"));
 cleanup:
   return status;
@@ -291,17 +309,20 @@ cleanup:
 }
 
 Status picture_print(const Picture *picture, Text *svg, Error *error) {
-  Status status;
+  Status status = STATUS_OK;
   Frame frame;
   const size_t width = picture->n_views * VIEW_SIZE + (picture->field ? BAR_WIDTH : 0) +
                        (picture->n_legend > 0 ? LEGEND_WIDTH : 0);
-  TRY(check_finite(picture->x, picture->mesh->n_nodes, 3, "position", error));
+  for (size_t k = 0; k < picture->n_views; k++)
+    TRY(check_finite(positions_of(picture, picture->views[k].is_reference), picture->mesh->n_nodes, 3,
+                     "position", error));
   if (picture->field) TRY(check_finite(picture->field, picture->mesh->n_nodes, 1, "field value", error));
   frame_of(picture, &frame);
   TRY(text_append(
       svg, error,
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %zu %d\" width=\"%zu\" height=\"%d\">\n"
-      "<style>text{font:13px sans-serif;fill:#222;stroke:none}</style>\n"
+      "<style>text{font:13px sans-serif;fill:#222;stroke:none}"
+      ".mark text{paint-order:stroke;stroke:#fff;stroke-width:3;stroke-opacity:.75}</style>\n"
       "<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n",
       width, HEIGHT, width, HEIGHT));
   for (size_t k = 0; k < picture->n_views; k++)

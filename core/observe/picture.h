@@ -7,6 +7,7 @@
 #include "base/status.h"
 #include "base/text.h"
 #include "mesh/mesh.h"
+#include <stdbool.h>
 #include <stddef.h>
 
 /* An axis arrow, drawn in every view where it is not seen end-on. */
@@ -19,18 +20,20 @@ typedef struct {
   double toward[3];  /* from the capsule to the eye, any length but zero */
   double up[3];      /* not along `toward` */
   const char *title; /* may be NULL */
+  bool is_reference; /* of the capsule at rest: X in the place of x */
 } PictureView;
 
 /* A dot on the surface with a short label, drawn in every view on whose side it is; the labels of dots that
  * fall together stand beside one dot. */
 typedef struct {
-  double x[3];
+  double x[3], X[3]; /* X: in views of the capsule at rest */
   const char *label;
 } PictureMark;
 
 typedef struct {
   const Mesh *mesh;         /* of which only nodes and elements are looked at */
   const double *x;          /* [n_nodes][3] */
+  const double *X;          /* [n_nodes][3]; NULL without a view of the capsule at rest */
   const double *field;      /* [n_nodes]; NULL: the plain surface, no colour bar */
   const char *label;        /* of the colour bar */
   double minimum, maximum;  /* of the colour bar; equal: the range of the field */
@@ -40,6 +43,7 @@ typedef struct {
   size_t n_axes;
   const PictureMark *marks;
   size_t n_marks;
+  bool marks_shine_through;  /* what is on the far side is drawn, too, faintly */
   const char *const *legend; /* lines of text right of the views */
   size_t n_legend;
 } Picture;

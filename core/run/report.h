@@ -1,12 +1,11 @@
-/* Pictures from a folder of results. */
+/* What a folder of results is turned into for its readers: picture, curves and page. */
 #ifndef CAPSELLA_RUN_REPORT_H
 #define CAPSELLA_RUN_REPORT_H
 
-#include "base/status.h"
-#include "base/text.h"
+#include "run/report_picture.h"
 
-/* Draws the state of the newest snapshot into FOLDER/capsule.svg: coloured by d, or by Y without a damage
- * law; and writes the page FOLDER/report.html. `written` receives the paths, one a line. */
-Status report_folder(const char *folder, Text *written, Error *error);
+/* Writes FOLDER/capsule.svg, FOLDER/curves.svg and the page FOLDER/report.html. `written` receives the paths,
+ * one a line. */
+Status report_folder(const char *folder, const ReportChoice *choice, Text *written, Error *error);
 
 #endif

@@ -5,6 +5,7 @@
 #include "markup.h"
 #include "suite.h"
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 static Mesh mesh;
@@ -121,8 +122,10 @@ START_TEST(round_off_is_not_spread_over_the_colours) {
 END_TEST
 
 START_TEST(a_mark_is_drawn_in_the_views_that_see_it) {
-  static const PictureMark marks[] = {{{0, -1, 0}, "front"}, {{0, 1, 0}, "back"}, {{0, 0, 1}, "top"}};
-  static const PictureView from_front[] = {{{0, -1, 0}, {0, 0, 1}, NULL}};
+  static const PictureMark marks[] = {{.x = {0, -1, 0}, .label = "front"},
+                                      {.x = {0, 1, 0}, .label = "back"},
+                                      {.x = {0, 0, 1}, .label = "top"}};
+  static const PictureView from_front[] = {{{0, -1, 0}, {0, 0, 1}, NULL, false}};
   Picture picture = of_sphere(0);
   picture.field = NULL;
   picture.views = from_front;
@@ -139,10 +142,62 @@ START_TEST(a_mark_is_drawn_in_the_views_that_see_it) {
 }
 END_TEST
 
+START_TEST(a_mark_behind_shines_through_where_that_is_asked_for) {
+  static const PictureMark behind = {.x = {0, 1, 0}, .label = "back"};
+  static const PictureView from_front = {{0, -1, 0}, {0, 0, 1}, NULL, false};
+  Picture picture = of_sphere(0);
+  picture.views = &from_front;
+  picture.n_views = 1;
+  picture.n_axes = 0;
+  picture.marks = &behind;
+  picture.n_marks = 1;
+  picture.marks_shine_through = true;
+  Text svg = printed(&picture);
+  ck_assert_int_eq(occurrences(&svg, "<circle"), 1);
+  ck_assert_int_eq(occurrences(&svg, " opacity=\"0.6\""), 1);
+  ck_assert_int_eq(occurrences(&svg, ">back<"), 1);
+  text_free(&svg);
+}
+END_TEST
+
+/* Far away and twice as large at present: each stands in the middle of its view, at the same scale. */
+START_TEST(the_capsule_at_rest_stands_beside_the_deformed_one) {
+  static const PictureView views[] = {{{0, -1, 0}, {0, 0, 1}, NULL, false},
+                                      {{0, -1, 0}, {0, 0, 1}, NULL, true}};
+  static const PictureMark tip = {.x = {102, 0, 0}, .X = {1, 0, 0}, .label = "tip"};
+  Picture picture = of_sphere(1);
+  Error error;
+  double *x;
+  ck_assert_int_eq(ARRAY_NEW(&x, 3 * mesh.n_nodes, &error), STATUS_OK);
+  for (int k = 0; k < 3 * mesh.n_nodes; k++) x[k] = 2 * mesh.X[k] + 100 * (k % 3 == 0);
+  picture.x = x;
+  picture.X = mesh.X;
+  picture.views = views;
+  picture.n_views = 2;
+  picture.n_axes = 0;
+  picture.marks = &tip;
+  picture.n_marks = 1;
+  Text svg = printed(&picture);
+  double at[2];
+  const char *circle = svg.data;
+  for (int k = 0; k < 2; k++) {
+    ck_assert_ptr_nonnull(circle = strstr(circle, "<circle cx=\""));
+    ck_assert_int_eq(sscanf(circle, "<circle cx=\"%lf\"", &at[k]), 1);
+    circle++;
+  }
+  const double middle = 190; /* of a view of 380 pixels; round-off of the file: 0.1 */
+  ck_assert_double_eq_tol((at[0] - middle) / (at[1] - middle), 2, 0.01);
+  array_free(x);
+  text_free(&svg);
+}
+END_TEST
+
 START_TEST(marks_that_fall_together_are_one_dot_with_both_labels) {
-  static const PictureMark marks[] = {{{0, -1, 0}, "1"}, {{0.7, -0.7, 0}, "2"}, {{0.01, -1, 0}, "3"}};
+  static const PictureMark marks[] = {{.x = {0, -1, 0}, .label = "1"},
+                                      {.x = {0.7, -0.7, 0}, .label = "2"},
+                                      {.x = {0.01, -1, 0}, .label = "3"}};
   static const char *const legend[] = {"1 first", "2 <second>"};
-  static const PictureView from_front[] = {{{0, -1, 0}, {0, 0, 1}, NULL}};
+  static const PictureView from_front[] = {{{0, -1, 0}, {0, 0, 1}, NULL, false}};
   Picture picture = of_sphere(0);
   picture.views = from_front;
   picture.n_views = 1;
@@ -182,7 +237,7 @@ START_TEST(what_is_not_finite_is_refused_with_its_node) {
   ck_assert_int_eq(picture_print(&picture, &svg, &error), STATUS_INPUT);
   ck_assert_str_eq(error.text, "picture: expected a finite position, found inf at node 5");
   picture = of_sphere(0);
-  picture.views = &(PictureView){{0, 0, 0}, {0, 0, 1}, NULL};
+  picture.views = &(PictureView){{0, 0, 0}, {0, 0, 1}, NULL, false};
   picture.n_views = 1;
   ck_assert_int_eq(picture_print(&picture, &svg, &error), STATUS_INPUT);
   text_free(&svg);
@@ -196,6 +251,8 @@ int main(void) {
                                         the_bar_keeps_a_range_that_is_given, a_constant_field_is_drawn,
                                         round_off_is_not_spread_over_the_colours,
                                         a_mark_is_drawn_in_the_views_that_see_it,
+                                        a_mark_behind_shines_through_where_that_is_asked_for,
+                                        the_capsule_at_rest_stands_beside_the_deformed_one,
                                         marks_that_fall_together_are_one_dot_with_both_labels,
                                         the_file_stays_below_a_megabyte_and_a_half,
                                         what_is_not_finite_is_refused_with_its_node, NULL});

@@ -42,7 +42,9 @@ function uprights(plot, lines, color, dash) {
     ctx.moveTo(left, bbox.top);
     ctx.lineTo(left, bbox.top + bbox.height);
     ctx.stroke();
-    if (text) ctx.fillText(text, left + 3 * ratio, bbox.top + 11 * ratio);
+    const isRoom = left + 22 * ratio < bbox.left + bbox.width;
+    ctx.textAlign = isRoom ? 'left' : 'right';
+    if (text) ctx.fillText(text, left + (isRoom ? 4 : -4) * ratio, bbox.top + 11 * ratio);
   }
   ctx.restore();
 }

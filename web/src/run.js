@@ -36,13 +36,16 @@ const FIGURES = [
   ['volume_error', 'V/V₀ − 1', 'error of the volume'],
   ['volume_error_max', 'max |V/V₀ − 1|', 'largest error of the volume'],
   ['energy_error_max', 'max |ΔE|/E', 'largest error of the energy balance'],
+  ['step_error_max', 'step error', 'largest error of a step, as time.tolerance bounds it'],
 ];
 const COST = [
   ['wall_seconds', 'time taken', duration],
   ['threads', 'threads'],
   ['steps', 'steps'],
   ['rejected_steps', 'rejected steps'],
+  ['unstable_steps', 'steps beyond the stability limit'],
   ['evaluations', 'velocity evaluations'],
+  ['stage_evaluations', 'of these, inner stages by the coarse rule'],
   ['elements', 'elements'],
   ['nodes', 'nodes'],
 ];

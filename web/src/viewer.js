@@ -2,10 +2,12 @@
 import {MAPS, PLAIN, colorAt, cssGradient, cssVariable, onTheme} from './colors.js';
 import {choice, h, toggle} from './dom.js';
 import {format, ticks} from './format.js';
+import {Motion} from './motion.js';
 import {Scene3d} from './scene3d.js';
 import {Vector3} from 'three';
 
 const TINTS = 256;
+const LONGEST_PLAY = 8, LONGEST_STATE = 0.5; // seconds for all states, for each of few
 
 const toLinear = c => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4);
 
@@ -31,6 +33,7 @@ export class Viewer {
   // axis: {direction, label} of the flow, or null; start: wishes from the address ({frame, color, ...})
   constructor(model, {marks, flow, axis, start = {}}) {
     Object.assign(this, {model, flow, axis});
+    this.motion = new Motion(model);
     this.marks = marks.map(mark => ({...mark, vertex: model.surface.nearest(mark.X)}));
     const {fields} = model, wanted = fields.find(field => field.id === start.color);
     this.field = wanted ?? (start.color === 'none' ? null : fields[0]);
@@ -59,8 +62,8 @@ export class Viewer {
     this.readout = h('output', {class: 'readout'});
     this.time = h('output', {class: `time ${model.frames[0].label ? 'named' : ''}`, id: 'time'});
     this.slider = h('input', {type: 'range', id: 'slider', min: 0, max: last, step: 1, value: this.frame, 'aria-label': model.frames[0].label ? 'case' : 'time',
-      oninput: () => this.show(Number(this.slider.value))});
-    this.button = h('button', {class: 'play', 'aria-label': 'play', onclick: () => this.play(!this.timer)}, '▶');
+      oninput: () => (this.play(false), this.show(Number(this.slider.value)))});
+    this.button = h('button', {class: 'play', 'aria-label': 'play', onclick: () => this.play(!this.isPlaying)}, '▶');
     this.bar = h('div', {class: 'bar'});
     const views = [['oblique', 'oblique'], ['shear', `along ${this.axis?.label ?? 'y'}`], ['e2', 'along e₂'], ['top', 'along z']];
     this.element = h('div', {class: 'viewer'},
@@ -88,6 +91,7 @@ export class Viewer {
   note() {
     const {frames, snapshots} = this.model.data;
     return `Drag to turn, scroll or pinch to zoom; both capsules are at one scale. Colours are values at the nodes, means over the elements around; d_max is over the integration points. ` +
+      (frames.length > 1 && !frames[0].label ? 'Play fills in between the states; what stands still has been computed. ' : '') +
       (frames.length < snapshots ? `${frames.length} of ${snapshots} states are in this page.` : '');
   }
 
@@ -111,9 +115,14 @@ export class Viewer {
   // ---- state ----
 
   show(frame) {
-    const {model, scene} = this;
+    this.display(this.motion.state(frame));
+  }
+
+  // A state of the run, or one that lies between two (its `frame` is the nearer one).
+  display(state) {
+    const {scene} = this, {frame, t, center, e1, L, position, normal} = state;
     this.frame = frame;
-    const {t, center, e1, L} = model.frames[frame], {position, normal} = model.shape(frame);
+    this.state = state;
     for (const pane of scene.panes) pane.showDots(frame);
     scene.deformed.place(position, normal, center);
     const reach = 1.35;
@@ -133,8 +142,8 @@ export class Viewer {
 
   // A state is known by its name or by its time.
   title() {
-    const {t, label} = this.model.frames[this.frame];
-    return label ?? `t = ${format(t, 5)}`;
+    const {t, label} = this.state;
+    return label ?? `t = ${format(t, this.isPlaying ? 3 : 5)}`;
   }
 
   showReference(on) {
@@ -149,15 +158,22 @@ export class Viewer {
   }
 
   play(on) {
-    clearInterval(this.timer);
-    this.timer = undefined;
+    if (!on && !this.isPlaying) return;
+    this.isPlaying = on;
     this.button.textContent = on ? '❚❚' : '▶';
     this.button.setAttribute('aria-label', on ? 'pause' : 'play');
-    if (!on) return;
-    const last = this.model.frames.length - 1;
-    if (this.frame === last) this.show(0);
-    this.timer = setInterval(() => (this.frame < last ? this.show(this.frame + 1) : this.play(false)),
-      Math.min(400, Math.max(40, 5000 / (last + 1))));
+    if (!on) return this.show(this.frame); // what stands still has been computed
+    const last = this.model.frames.length - 1, from = this.frame === last ? 0 : this.frame;
+    const rate = Math.max(last / LONGEST_PLAY, 1 / LONGEST_STATE);
+    const begin = performance.now();
+    const next = now => {
+      if (!this.isPlaying) return;
+      const place = from + (rate * Math.max(0, now - begin)) / 1000;
+      if (place >= last) return (this.frame = last, this.play(false));
+      this.display(this.motion.at(place));
+      requestAnimationFrame(next);
+    };
+    requestAnimationFrame(next);
   }
 
   look(name) {
@@ -174,7 +190,7 @@ export class Viewer {
 
   paint() {
     const {model, field} = this, n = model.surface.nVertices, colors = new Float32Array(3 * n);
-    const values = field && model.values(this.frame, field);
+    const values = field && this.state.values(field);
     this.limits = field && model.range(field, this.isSameRange ? null : this.frame);
     const tints = field && this.tints(), plain = PLAIN.map(toLinear);
     for (let v = 0; v < n; v++) {
@@ -200,8 +216,8 @@ export class Viewer {
   // ---- labels over the picture ----
 
   placeLabels() {
-    const {scene, model} = this;
-    if (!scene) return;
+    const {scene} = this;
+    if (!scene || !this.state) return;
     this.labels.replaceChildren();
     const put = (pane, point, text, kind) => {
       const place = scene.project(pane, point);
@@ -211,7 +227,7 @@ export class Viewer {
       const title = pane === scene.reference ? 'reference shape' : this.title();
       this.labels.append(h('span', {class: 'title', style: `left: ${box.x + box.width / 2}px; top: ${box.y + box.height - 24}px`}, title));
     }
-    const {e1, L} = model.frames[this.frame];
+    const {e1, L} = this.state;
     const axis = this.axis && new Vector3(...this.axis.direction);
     const isAcross = axis && Math.abs(axis.dot(scene.camera.position.clone().normalize())) < 0.95; // else seen end-on
     if (scene.reference.axes.visible && isAcross) {
@@ -251,7 +267,7 @@ export class Viewer {
     if (event.buttons || !this.field) return;
     const box = this.picture.getBoundingClientRect();
     const found = this.scene.pick(event.clientX - box.left, event.clientY - box.top);
-    this.readout.textContent = found ? `${this.field.label.split(' (')[0]} = ${format(this.model.values(this.frame, this.field)[found.vertex], 4)}` : '';
+    this.readout.textContent = found ? `${this.field.label.split(' (')[0]} = ${format(this.state.values(this.field)[found.vertex], 4)}` : '';
   }
 
   save() {
