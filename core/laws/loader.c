@@ -83,8 +83,12 @@ static Status try_file(Attempt *attempt, const char *file, const LawSearch *sear
   absolute = realpath(file, NULL);
   if (!absolute) TRY(error_set(error, STATUS_IO, "%s: its absolute path cannot be had", file));
   attempt->done = true; /* the file is there: no later one takes its place */
-  if (admit(search, absolute, &reason) != STATUS_OK || plugin_open(absolute, &plugin, &reason) != STATUS_OK) {
+  status = admit(search, absolute, &reason);
+  if (status == STATUS_OK) status = plugin_open(absolute, &plugin, &reason);
+  if (status == STATUS_INPUT) {
     TRY(report(attempt, file, reason.text, error));
+  } else if (status != STATUS_OK) { /* no fault of the file */
+    TRY(error_set(error, status, "%s: %s", file, reason.text));
   } else if (choose(attempt, plugin) != 1) {
     attempt->done = attempt->by_path;
     TRY(report_contents(attempt, file, plugin, error));

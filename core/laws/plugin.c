@@ -58,12 +58,18 @@ const mlaw_var *law_var(const LawDescription *law, uint32_t k) {
 
 #define REFUSE(...) return error_set(error, STATUS_INPUT, __VA_ARGS__)
 
+/* Whether a table has entries of a size in which each can be read where it stands. */
+static bool is_readable(const void *table, uint32_t size, size_t least, size_t alignment) {
+  return table && size >= least && size % alignment == 0;
+}
+
 static Status check_tables(const LawDescription *law, LawKind kind, Error *error) {
   if (!law->id || !law->title || !law->source) {
     REFUSE("%s law `%s`: id, title and source must be given", law_kind_name(kind), law->id ? law->id : "?");
   }
   if (law->n_params &&
-      (!law->params || law->param_size < offsetof(mlaw_param, ok_hi) + sizeof law->params->ok_hi)) {
+      !is_readable(law->params, law->param_size, offsetof(mlaw_param, ok_hi) + sizeof law->params->ok_hi,
+                   _Alignof(mlaw_param))) {
     REFUSE("law `%s`: %u parameters of %u bytes each cannot be read", law->id, law->n_params,
            law->param_size);
   }
@@ -73,7 +79,8 @@ static Status check_tables(const LawDescription *law, LawKind kind, Error *error
       REFUSE("law `%s`: parameter %u has no name, unit or description", law->id, k);
     }
   }
-  if (law->n_vars && (!law->vars || law->var_size < offsetof(mlaw_var, init) + sizeof law->vars->init)) {
+  if (law->n_vars && !is_readable(law->vars, law->var_size, offsetof(mlaw_var, init) + sizeof law->vars->init,
+                                  _Alignof(mlaw_var))) {
     REFUSE("law `%s`: %u variables of %u bytes each cannot be read", law->id, law->n_vars, law->var_size);
   }
   for (uint32_t k = 0; k < law->n_vars; k++) {
@@ -122,7 +129,7 @@ static Status check_damage(const mlaw_damage *law, Error *error) {
   return STATUS_OK;
 }
 
-static Status check_plugin(const mlaw_plugin *plugin, Error *error) {
+Status plugin_check(const mlaw_plugin *plugin, Error *error) {
   if (!plugin) {
     REFUSE("the plugin declines to serve a host of ABI %d.%d", MLAW_ABI_MAJOR, MLAW_ABI_MINOR);
   }
@@ -179,5 +186,5 @@ Status plugin_open(const char *file, const mlaw_plugin **plugin, Error *error) {
   mlaw_entry_fn *entry;
   memcpy(&entry, &symbol, sizeof entry); /* ISO C has no conversion from object to function pointer */
   *plugin = entry(MLAW_ABI_MINOR);
-  return check_plugin(*plugin, error);
+  return plugin_check(*plugin, error);
 }

@@ -21,6 +21,9 @@ bool law_id_is_valid(const char *id);
  * name. */
 Status plugin_open(const char *file, const mlaw_plugin **plugin, Error *error);
 
+/* The part of plugin_open that looks at the tables; NULL is refused. */
+Status plugin_check(const mlaw_plugin *plugin, Error *error);
+
 /* What both kinds of law have in common. */
 typedef struct {
   const char *id, *title, *source;

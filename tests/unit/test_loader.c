@@ -152,6 +152,22 @@ START_TEST(the_host_may_refuse_a_file_that_is_not_its_own_before_it_is_opened) {
 }
 END_TEST
 
+static Status admit_without_memory(const char *file, Error *error) {
+  return error_set(error, STATUS_MEMORY, "out of memory: the test of %s", file);
+}
+
+START_TEST(a_want_of_memory_is_no_fault_of_the_file) {
+  Error error;
+  LoadedLaw law;
+  LawSearch search = test_search();
+  search.n_foreign = 1;
+  search.admit = admit_without_memory;
+  ck_assert_int_eq(law_load(&law, LAW_ENERGY, "skalak", &search, &error), STATUS_MEMORY);
+  expect_in(&error, PLUGINS "/skalak.so: out of memory: the test of " PLUGINS "/skalak.so");
+  ck_assert(!strstr(error.text, "found none that can be used"));
+}
+END_TEST
+
 START_TEST(an_empty_search_says_so) {
   Error error;
   LoadedLaw law;
@@ -194,5 +210,6 @@ int main(void) {
                                 a_folder_in_place_of_a_file_is_said_to_be_one,
                                 reasons_of_the_plugin_reach_the_report,
                                 the_host_may_refuse_a_file_that_is_not_its_own_before_it_is_opened,
-                                an_empty_search_says_so, the_failure_of_any_allocation_is_reported, NULL});
+                                a_want_of_memory_is_no_fault_of_the_file, an_empty_search_says_so,
+                                the_failure_of_any_allocation_is_reported, NULL});
 }
