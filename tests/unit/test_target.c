@@ -67,12 +67,19 @@ START_TEST(mistakes_are_named_with_their_place) {
 END_TEST
 
 START_TEST(a_condition_holds_by_the_figures_of_the_case) {
-  Case item = {.state = CASE_DONE, .summary = tree_of("{t_c: 0.4, t_l: null, d_max: 0.3}")};
-  ck_assert(target_holds(&(Target){.condition = WHEN_DAMAGED}, &item));
-  ck_assert(!target_holds(&(Target){.condition = WHEN_RUPTURED}, &item));
-  ck_assert(target_holds(&(Target){.condition = WHEN_ABOVE, .figure = "d_max", .above = 0.2}, &item));
-  ck_assert(!target_holds(&(Target){.condition = WHEN_ABOVE, .figure = "d_max", .above = 0.3}, &item));
-  ck_assert(!target_holds(&(Target){.condition = WHEN_ABOVE, .figure = "none", .above = -1}, &item));
+  const Target damaged = {.condition = WHEN_DAMAGED}, ruptured = {.condition = WHEN_RUPTURED};
+  const Target above = {.condition = WHEN_ABOVE, .figure = "d_max", .above = 0.2},
+               not_above = {.condition = WHEN_ABOVE, .figure = "d_max", .above = 0.3},
+               nowhere = {.condition = WHEN_ABOVE, .figure = "none", .above = -1};
+  Case item = {.state = CASE_DONE,
+               .summary = tree_of("{t_c: 0.4, t_l: null, d_max: 0.3, criteria: [{t_c: null, t_l: 2}]}")};
+  ck_assert(target_holds(&damaged, &item, NULL));
+  ck_assert(!target_holds(&ruptured, &item, NULL));
+  ck_assert(target_holds(&above, &item, NULL));
+  ck_assert(!target_holds(&not_above, &item, NULL));
+  ck_assert(!target_holds(&nowhere, &item, NULL));
+  ck_assert(!target_holds(&damaged, &item, "criteria.0."));
+  ck_assert(target_holds(&ruptured, &item, "criteria.0."));
   yaml_tree_free(item.summary);
 }
 END_TEST
