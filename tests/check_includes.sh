@@ -12,7 +12,7 @@ awk '
     if (room ~ /^(membrane|fluid)$/) return 4
     if (room ~ /^(coupling|observe)$/) return 5
     if (room == "run") return 6
-    if (room == "study" || room == "benchmark") return 7
+    if (room ~ /^(study|benchmark|api)$/) return 7
     if (room == "app") return 8
     return -1
   }

@@ -1,4 +1,5 @@
-/* Folders and files of plugins, through POSIX glob and readlink.  Nothing here opens a plugin. */
+/* Folders and files of plugins, through POSIX glob and the table of what the process has mapped.  Nothing
+ * here opens a plugin. */
 #define _XOPEN_SOURCE 700 /* realpath */
 #include "laws/search.h"
 
@@ -6,10 +7,10 @@
 #include "base/file.h"
 #include "base/text.h"
 #include <glob.h>
+#include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 /* Appends a copy of `string` to a list of n strings; the list grows by doubling at powers of two. */
 static Status append(char ***list, size_t *n, const char *string, Error *error) {
@@ -87,24 +88,45 @@ static Status add_matching_folder(void *search, const char *path, Error *error) 
   return add_folder(search, path, error);
 }
 
-/* The plugins that belong to the running program: in its build tree, or installed under the same prefix. */
+/* The file that this code is in, the program or a shared library: the one mapped where this function lies. */
+static Status find_own_file(Text *path, Error *error) {
+  Status status = STATUS_OK;
+  const uintptr_t here = (uintptr_t)&find_own_file;
+  char line[4352]; /* of /proc/self/maps: BEGIN-END MODE OFFSET DEVICE INODE FILE */
+  FILE *maps = fopen("/proc/self/maps", "r");
+  if (!maps) return STATUS_OK; /* no such table here: scene and environment must do */
+  while (fgets(line, sizeof line, maps)) {
+    uintptr_t begin, end;
+    if (sscanf(line, "%" SCNxPTR "-%" SCNxPTR, &begin, &end) != 2 || here < begin || here >= end) continue;
+    const char *file = strchr(line, '/');
+    if (file) TRY(text_append(path, error, "%.*s", (int)strcspn(file, "\n"), file));
+    break;
+  }
+cleanup:
+  fclose(maps);
+  return status;
+}
+
+/* The plugins that belong to this file: in the build tree, or installed under the same prefix. */
 static Status add_own_folders(LawSearch *search, Error *error) {
   Status status = STATUS_OK;
-  Text folder = {0}, beside = {0}, prefix = {0};
-  char program[4096];
-  ssize_t length = readlink("/proc/self/exe", program, sizeof program - 1);
-  if (length <= 0) return STATUS_OK; /* no such link here: scene and environment must do */
-  program[length] = '\0';
-  TRY(file_folder(&folder, program, error));
+  Text file = {0}, folder = {0}, beside = {0}, below = {0}, prefix = {0};
+  TRY(find_own_file(&file, error));
+  if (!file.data) goto cleanup;
+  TRY(file_folder(&folder, file.data, error));
   TRY(file_folder(&prefix, folder.data, error));
   TRY(file_join(&beside, folder.data, "plugins", error));
+  TRY(file_join(&below, folder.data, "capsella/plugins", error));
   TRY(add_folder(search, beside.data, error));
+  TRY(for_each_match(below.data, "", add_matching_folder, search, error));
   TRY(for_each_match(prefix.data, "/lib*/capsella/plugins", add_matching_folder, search, error));
   TRY(for_each_match(prefix.data, "/lib/*/capsella/plugins", add_matching_folder, search, error));
 cleanup:
   text_free(&prefix);
+  text_free(&below);
   text_free(&beside);
   text_free(&folder);
+  text_free(&file);
   return status;
 }
 

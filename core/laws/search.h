@@ -16,9 +16,10 @@ typedef struct {
   Status (*admit)(const char *file, Error *error);
 } LawSearch;
 
-/* The scene's folder (may be NULL), then MLAW_PLUGIN_PATH (colon-separated), then `plugins` beside the
- * program (build tree), then the capsella/plugins of a library folder beside the program's (installed).
- * Duplicates, empty entries and folders that do not exist are dropped. */
+/* The scene's folder (may be NULL), then MLAW_PLUGIN_PATH (colon-separated), then those of the program or
+ * shared library that this code is part of: `plugins` beside it (build tree), capsella/plugins below its
+ * folder (an installed library), and the capsella/plugins of a library folder beside its own (an installed
+ * program). Duplicates, empty entries and folders that do not exist are dropped. */
 Status law_search_default(LawSearch *search, const char *scene_folder, Error *error);
 void law_search_free(LawSearch *search);
 

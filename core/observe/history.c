@@ -43,7 +43,7 @@ static const Column columns[] = {
     NUMBER(alpha),
 };
 
-static size_t column_count(HistoryKind kind) {
+size_t history_columns(HistoryKind kind) {
   enum { INFLATION_COLUMNS = 3 };
   size_t all = sizeof columns / sizeof *columns;
   return kind == HISTORY_INFLATION ? all : all - INFLATION_COLUMNS;
@@ -55,31 +55,42 @@ bool history_has_column(const char *name) {
   return false;
 }
 
+const char *history_column(size_t k) {
+  return columns[k].name;
+}
+
+static long long whole_value(const HistoryRow *row, size_t k) {
+  long long value;
+  memcpy(&value, (const char *)row + columns[k].offset, sizeof value);
+  return value;
+}
+
+double history_value(const HistoryRow *row, size_t k) {
+  double value;
+  if (columns[k].is_count) return (double)whole_value(row, k);
+  memcpy(&value, (const char *)row + columns[k].offset, sizeof value);
+  return value;
+}
+
 static const char *separator(HistoryKind kind, size_t column) {
-  return column + 1 < column_count(kind) ? "," : "\n";
+  return column + 1 < history_columns(kind) ? "," : "\n";
 }
 
 static Status print_header(HistoryKind kind, Text *line, Error *error) {
   Status status = STATUS_OK;
-  for (size_t k = 0; k < column_count(kind) && status == STATUS_OK; k++)
+  for (size_t k = 0; k < history_columns(kind) && status == STATUS_OK; k++)
     status = text_append(line, error, "%s%s", columns[k].name, separator(kind, k));
   return status;
 }
 
 static Status print_row(HistoryKind kind, const HistoryRow *row, Text *line, Error *error) {
   Status status = STATUS_OK;
-  for (size_t k = 0; k < column_count(kind) && status == STATUS_OK; k++) {
-    const char *member = (const char *)row + columns[k].offset;
+  for (size_t k = 0; k < history_columns(kind) && status == STATUS_OK; k++) {
     char digits[NUMBER_SIZE];
-    if (columns[k].is_count) {
-      long long value;
-      memcpy(&value, member, sizeof value);
-      snprintf(digits, sizeof digits, "%lld", value);
-    } else {
-      double value;
-      memcpy(&value, member, sizeof value);
-      number_print(value, digits);
-    }
+    if (columns[k].is_count)
+      snprintf(digits, sizeof digits, "%lld", whole_value(row, k));
+    else
+      number_print(history_value(row, k), digits);
     status = text_append(line, error, "%s%s", digits, separator(kind, k));
   }
   return status;

@@ -8,6 +8,7 @@
 
 #include "base/status.h"
 #include <stdbool.h>
+#include <stddef.h>
 #include <stdio.h>
 
 /* Dimensionless: lengths by a, time by 1/rate, tensions by G_s.  NAN is written as `nan`. */
@@ -24,6 +25,11 @@ typedef struct {
 } HistoryRow;
 
 typedef enum { HISTORY_FLOW, HISTORY_INFLATION } HistoryKind; /* inflation adds the columns p, d, alpha */
+
+/* The columns: how many, their names, their values in a row as doubles. */
+size_t history_columns(HistoryKind kind);
+const char *history_column(size_t column);
+double history_value(const HistoryRow *row, size_t column);
 
 typedef struct {
   FILE *file; /* NULL: closed */

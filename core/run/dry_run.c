@@ -3,6 +3,7 @@
 
 #include "base/file.h"
 #include "base/timer.h"
+#include "run/march.h"
 #include "run/output.h"
 #include "run/record.h"
 #include <errno.h>
@@ -104,16 +105,12 @@ cleanup:
 
 static Status step(DryRun *dry, Error *error) {
   Status status;
-  double t1;
+  bool ruptured;
   Motion *motion = dry->simulation.motion;
   const double begun = timer_wall_seconds(), before = evaluations(dry);
   const double limit = fmin(output_next_snapshot(&dry->output, &dry->simulation), dry->scene.time.end);
-  TRY(motion->propose(motion, limit, &t1, NULL, error));
-  TRY(record_step(&dry->record, t1, error));
-  TRY(record_events(&dry->record, error));
-  TRY(record_advance(&dry->record, error));
-  motion->accept(motion);
-  membrane_commit(dry->simulation.membrane);
+  TRY(march_propose(&dry->record, limit, NULL, &ruptured, error));
+  TRY(march_accept(&dry->record, error));
   if (motion->t >= limit) dry->output.next_snapshot++; /* steps end on these times */
   dry->t = motion->t;
   dry->steps++;

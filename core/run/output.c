@@ -53,15 +53,10 @@ static HistoryKind history_kind(const Simulation *s) {
 
 Status output_open(Output *output, const char *folder, const Simulation *s, Error *error) {
   Status status = STATUS_OK;
-  const size_t nodes = (size_t)s->mesh.n_nodes, points = (size_t)membrane_points(s->membrane);
   *output = (Output){.folder = folder, .last_row_t = NAN, .last_snapshot_t = NAN};
   TRY(print_resolved(output, s, error));
   TRY(parameter_cells_new(&output->parameters, s, error));
-  TRY(ARRAY_NEW(&output->d, nodes, error));
-  TRY(ARRAY_NEW(&output->Y, nodes, error));
-  TRY(ARRAY_NEW(&output->T1, nodes, error));
-  TRY(ARRAY_NEW(&output->T2, nodes, error));
-  TRY(ARRAY_NEW(&output->points, 2 * points, error));
+  TRY(nodal_fields_new(&output->nodal, s, error));
 cleanup:
   if (status != STATUS_OK) output_close(output);
   return status;
@@ -73,11 +68,7 @@ void output_close(Output *output) {
   series_free(&output->series);
   parameter_cells_free(&output->parameters);
   text_free(&output->resolved);
-  array_free(output->d);
-  array_free(output->Y);
-  array_free(output->T1);
-  array_free(output->T2);
-  array_free(output->points);
+  nodal_fields_free(&output->nodal);
   *output = (Output){0};
 }
 
@@ -217,24 +208,6 @@ static size_t restart_items(Output *output, Simulation *s, Record *record, Resta
   return n;
 }
 
-/* Fields at the nodes, of the membrane's last evaluation, into output->d, Y, T1, T2. */
-static void nodal_fields(Output *output, const Simulation *s) {
-  const double G = s->material.shear_modulus;
-  const int points = membrane_points(s->membrane), nodes = s->mesh.n_nodes;
-  const MembranePoints view = membrane_points_view(s->membrane);
-  double *T1 = output->points, *T2 = output->points + points;
-  membrane_principal_tensions(s->membrane, T1, T2);
-  membrane_nodal_field(s->membrane, T1, output->T1);
-  membrane_nodal_field(s->membrane, T2, output->T2);
-  membrane_nodal_field(s->membrane, view.phi, output->Y);
-  if (view.d) membrane_nodal_field(s->membrane, view.d, output->d);
-  for (int p = 0; p < nodes; p++) {
-    output->T1[p] /= G;
-    output->T2[p] /= G;
-    output->Y[p] /= G;
-  }
-}
-
 Status output_snapshot(Output *output, Simulation *s, Record *record, Error *error) {
   Status status = STATUS_OK;
   Text path = {0};
@@ -242,15 +215,15 @@ Status output_snapshot(Output *output, Simulation *s, Record *record, Error *err
   const int number =
       (int)output->snapshot_number++; /* counted first: the file names the one that comes next */
   TRY(record_probe(record, s->motion->t, error));
-  nodal_fields(output, s);
+  nodal_fields_measure(&output->nodal, s);
   TRY(history_sync(&output->history, error));
   const SnapshotField fields[] = {
       {.name = "q", .components = 3, .values = s->motion->q},
       {.name = "velocity", .components = 3, .values = record->v},
-      {.name = "d", .components = 1, .values = output->d},
-      {.name = "Y", .components = 1, .values = output->Y},
-      {.name = "T1", .components = 1, .values = output->T1},
-      {.name = "T2", .components = 1, .values = output->T2},
+      {.name = "d", .components = 1, .values = output->nodal.d},
+      {.name = "Y", .components = 1, .values = output->nodal.Y},
+      {.name = "T1", .components = 1, .values = output->nodal.T1},
+      {.name = "T2", .components = 1, .values = output->nodal.T2},
   };
   const Snapshot snapshot = {
       .mesh = &s->mesh,

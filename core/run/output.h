@@ -7,6 +7,7 @@
 #include "base/text.h"
 #include "observe/history.h"
 #include "observe/series.h"
+#include "run/nodal_fields.h"
 #include "run/parameter_cells.h"
 #include "run/record.h"
 #include "run/simulation.h"
@@ -18,11 +19,11 @@ typedef struct {
   Series series;
   ParameterCells parameters;
   long long next_sample,
-      next_snapshot;                /* due at next * history_every, next * snapshot_every after the start */
-  long long snapshot_number;        /* of the next snapshot file */
-  double last_row_t;                /* time of the last row; NAN: none */
-  double last_snapshot_t;           /* time of the last snapshot; NAN: none */
-  double *d, *Y, *T1, *T2, *points; /* [n_nodes], [n_points] scratch for nodal fields */
+      next_snapshot;         /* due at next * history_every, next * snapshot_every after the start */
+  long long snapshot_number; /* of the next snapshot file */
+  double last_row_t;         /* time of the last row; NAN: none */
+  double last_snapshot_t;    /* time of the last snapshot; NAN: none */
+  NodalFields nodal;
 } Output;
 
 /* Makes ready; nothing is written yet. */

@@ -5,6 +5,7 @@
 #include "base/log.h"
 #include "base/timer.h"
 #include "observe/progress.h"
+#include "run/march.h"
 #include "run/output.h"
 #include "run/record.h"
 #include "run/run_page.h"
@@ -13,9 +14,6 @@
 #include <omp.h>
 #include <stdio.h>
 #include <string.h>
-
-/* A run is steady when its rates have stayed below stop.steady for this long. */
-static const double STEADY_TIME = 1.0;
 
 /* Fixed steps whose error is so many times the tolerance of automatic ones are warned of. */
 static const double LARGE_STEP_ERROR = 10;
@@ -49,22 +47,6 @@ static const ProgressState *progress_state(Run *run, double t, double step) {
   return &run->shown;
 }
 
-/* Rates of D12 and d_max between samples; steady when they have been small for long enough. */
-static void watch_steady(Run *run, const HistoryRow *row) {
-  RecordData *data = &run->record.data;
-  const double limit = run->scene.stop.steady, dt = row->t - data->sample_t;
-  if (dt > 0) {
-    const double rate = fmax(fabs(row->D12 - data->sample_D12), fabs(row->d_max - data->sample_d_max)) / dt;
-    if (!(rate < limit))
-      data->steady_since = NAN;
-    else if (isnan(data->steady_since))
-      data->steady_since = data->sample_t;
-  }
-  data->sample_t = row->t;
-  data->sample_D12 = row->D12;
-  data->sample_d_max = row->d_max;
-}
-
 /* One row of the history at time t of the proposed step (or at the accepted time). */
 static Status sample(Run *run, double t, Error *error) {
   Status status = STATUS_OK;
@@ -73,7 +55,7 @@ static Status sample(Run *run, double t, Error *error) {
   TRY(record_probe(&run->record, t, error));
   TRY(record_row(&run->record, &row, &shape, error));
   TRY(output_row(&run->output, &row, error));
-  watch_steady(run, &row);
+  march_watch_steady(&run->record, &row);
   run->shown.D12 = row.D12;
   run->shown.d_max = row.d_max;
   progress_sample(&run->progress, progress_state(run, row.t, row.step));
@@ -89,15 +71,6 @@ static Status take_samples(Run *run, double t1, Error *error) {
     TRY(sample(run, t, error));
     run->output.next_sample++;
   }
-cleanup:
-  return status;
-}
-
-/* The load at time t of the proposed step, or at the accepted time: it last belonged to another state. */
-static Status renew_load(Run *run, double t, Error *error) {
-  Status status = STATUS_OK;
-  TRY(record_probe(&run->record, t, error));
-  TRY(membrane_load(run->simulation.membrane, LOAD_FULL, run->record.R, run->simulation.motion->q, error));
 cleanup:
   return status;
 }
@@ -134,7 +107,8 @@ static Status start(Run *run, Error *error) {
   TRY(output_start(&run->output, &run->simulation, error));
   log_drop_earlier(&run->log);
   TRY(record_begin(&run->record, false, error));
-  TRY(renew_load(run, run->simulation.motion->t, error)); /* after the estimate of the spectral radius */
+  TRY(march_renew_load(&run->record, run->simulation.motion->t,
+                       error)); /* after the estimate of the spectral radius */
   TRY(take_samples(run, run->simulation.motion->t, error));
   if (isfinite(output_next_snapshot(&run->output, &run->simulation))) {
     run->output.next_snapshot++;
@@ -157,37 +131,15 @@ static void finish_what_is_over(Run *run) {
   if (run->scene.stop.rupture == RUPTURE_STOP && !isnan(run->record.data.t_l)) finish(run, OUTCOME_RUPTURED);
 }
 
-/* Ends the proposed step at the instant of rupture. */
-static Status stop_at_rupture(Run *run, Error *error) {
-  Status status = STATUS_OK;
-  Simulation *s = &run->simulation;
-  const double t_l = run->record.data.t_l;
-  TRY(renew_load(run, t_l, error));
-  s->motion->shorten(s->motion, t_l);
-  run->record.t1 = t_l;
-  finish(run, OUTCOME_RUPTURED);
-cleanup:
-  return status;
-}
-
 static Status advance(Run *run, Error *error) {
   Status status = STATUS_OK;
   Simulation *s = &run->simulation;
-  double t1;
+  bool ruptured;
   const double t_limit = fmin(output_next_snapshot(&run->output, s), run->scene.time.end);
-  TRY(s->motion->propose(s->motion, t_limit, &t1, &run->log, error));
-  TRY(record_step(&run->record, t1, error));
-
-  const bool was_whole = isnan(run->record.data.t_l);
-  TRY(record_events(&run->record, error));
-  if (was_whole && !isnan(run->record.data.t_l)) {
-    log_note(&run->log, "rupture at t = %.6g", run->record.data.t_l);
-    if (run->scene.stop.rupture == RUPTURE_STOP) TRY(stop_at_rupture(run, error));
-  }
+  TRY(march_propose(&run->record, t_limit, &run->log, &ruptured, error));
+  if (ruptured) finish(run, OUTCOME_RUPTURED);
   TRY(take_samples(run, run->record.t1, error));
-  TRY(record_advance(&run->record, error));
-  s->motion->accept(s->motion);
-  membrane_commit(s->membrane);
+  TRY(march_accept(&run->record, error));
   progress_step(&run->progress, progress_state(run, s->motion->t, s->motion->last_step));
 
   if (s->motion->t >= t_limit && t_limit < run->scene.time.end) {
@@ -197,8 +149,7 @@ static Status advance(Run *run, Error *error) {
   if (run->done) goto cleanup;
   if (s->motion->t >= run->scene.time.end)
     finish(run, OUTCOME_END);
-  else if (run->scene.stop.steady > 0 &&
-           run->record.data.sample_t - run->record.data.steady_since >= STEADY_TIME)
+  else if (march_is_steady(&run->record))
     finish(run, OUTCOME_STEADY);
   else if (run->options->interrupt && *run->options->interrupt)
     finish(run, OUTCOME_INTERRUPTED);
@@ -311,13 +262,11 @@ static void keep_law_failure(const Run *run, Error *error) {
   text_free(&yaml);
 }
 
-/* The trial state of a step that failed is gone: go back to the accepted one, and conclude there. */
+/* Concludes at the accepted state. */
 static void conclude_failed(Run *run) {
   Error ignored;
   run->outcome = OUTCOME_FAILED;
-  run->record.probed_t = NAN;
-  run->record.t1 = run->simulation.motion->t;
-  if (renew_load(run, run->record.t1, &ignored) == STATUS_OK && conclude(run, &ignored) == STATUS_OK) return;
+  if (march_fall_back(&run->record, &ignored) == STATUS_OK && conclude(run, &ignored) == STATUS_OK) return;
   log_note(&run->log, "while concluding: %s", ignored.text);
   /* A disk too full for a snapshot may have room for the summary. */
   if (write_summary(run, &ignored) != STATUS_OK) log_note(&run->log, "while concluding: %s", ignored.text);
