@@ -1,4 +1,6 @@
 /* capsella laws: what laws there are and what each takes, printed from the descriptors alone. */
+#define _XOPEN_SOURCE 700 /* realpath */
+#include "app/child.h"
 #include "app/commands.h"
 #include "app/help.h"
 #include "base/array.h"
@@ -6,7 +8,11 @@
 #include "laws/search.h"
 #include <stdbool.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+
+/* Times after which a law is given up; they take milliseconds. */
+enum { OPENING_SECONDS = 10, CALLING_SECONDS = 60 };
 
 static int fail(const Error *error) {
   fprintf(stderr, "capsella laws: %s\n", error->text);
@@ -17,7 +23,8 @@ static int fail(const Error *error) {
 
 typedef struct {
   LawKind kind;
-  const char *id, *title, *file;
+  char *id, *title; /* owned */
+  const char *file;
   bool hidden; /* an earlier file holds a law of this kind and id */
 } Row;
 
@@ -26,41 +33,113 @@ typedef struct {
   size_t n, capacity;
 } Rows;
 
-static Status add_row(Rows *rows, Row row, Error *error) {
-  Status status = STATUS_OK;
+static void free_rows(Rows *rows) {
   for (size_t i = 0; i < rows->n; i++) {
-    if (rows->row[i].kind == row.kind && strcmp(rows->row[i].id, row.id) == 0) row.hidden = true;
+    array_free(rows->row[i].id);
+    array_free(rows->row[i].title);
   }
-  if (rows->n == rows->capacity) {
-    Row *grown;
-    TRY(ARRAY_NEW(&grown, 2 * rows->capacity + 8, error));
-    if (rows->n) memcpy(grown, rows->row, rows->n * sizeof *grown);
-    array_free(rows->row);
-    rows->row = grown;
-    rows->capacity = 2 * rows->capacity + 8;
-  }
-  rows->row[rows->n++] = row;
+  array_free(rows->row);
+}
+
+static Status make_room(Rows *rows, Error *error) {
+  Status status = STATUS_OK;
+  Row *grown;
+  if (rows->n < rows->capacity) return STATUS_OK;
+  TRY(ARRAY_NEW(&grown, 2 * rows->capacity + 8, error));
+  if (rows->n) memcpy(grown, rows->row, rows->n * sizeof *grown);
+  array_free(rows->row);
+  rows->row = grown;
+  rows->capacity = 2 * rows->capacity + 8;
 cleanup:
   return status;
 }
 
-static Status add_file(Rows *rows, const char *file, Error *error) {
+static Status add_row(Rows *rows, LawKind kind, const char *id, const char *title, const char *file,
+                      Error *error) {
   Status status = STATUS_OK;
+  bool hidden = false;
+  for (size_t i = 0; i < rows->n && !hidden; i++)
+    hidden = rows->row[i].kind == kind && strcmp(rows->row[i].id, id) == 0;
+  TRY(make_room(rows, error));
+  Row *row = &rows->row[rows->n++];
+  *row = (Row){.kind = kind, .file = file, .hidden = hidden};
+  if (!(row->id = text_copy(id, error)) || !(row->title = text_copy(title, error))) status = error->code;
+cleanup:
+  return status;
+}
+
+/* A file describes itself: for each law its kind, id and title, or, with an exit code, why it cannot be used;
+ * each ended by NUL. */
+static int describe(void *file, FILE *answer) {
   Error reason;
   const mlaw_plugin *plugin;
   if (plugin_open(file, &plugin, &reason) != STATUS_OK) {
-    fprintf(stderr, "%s: %s\n", file, reason.text);
-    return STATUS_OK;
+    fprintf(answer, "%s%c", reason.text, 0);
+    return EXIT_INPUT;
   }
-  for (uint32_t k = 0; k < plugin->n_energy; k++) {
-    const mlaw_energy *law = plugin->energy[k];
-    TRY(add_row(rows, (Row){LAW_ENERGY, law->id, law->title, file, false}, error));
-  }
-  for (uint32_t k = 0; k < plugin->n_damage; k++) {
-    const mlaw_damage *law = plugin->damage[k];
-    TRY(add_row(rows, (Row){LAW_DAMAGE, law->id, law->title, file, false}, error));
+  for (uint32_t k = 0; k < plugin->n_energy; k++)
+    fprintf(answer, "%d%c%s%c%s%c", LAW_ENERGY, 0, plugin->energy[k]->id, 0, plugin->energy[k]->title, 0);
+  for (uint32_t k = 0; k < plugin->n_damage; k++)
+    fprintf(answer, "%d%c%s%c%s%c", LAW_DAMAGE, 0, plugin->damage[k]->id, 0, plugin->damage[k]->title, 0);
+  return EXIT_DONE;
+}
+
+/* Our own files are opened here: that takes no time, and they are known to open. */
+static Status describe_here(char *file, Text *answer, int *code, Error *error) {
+  char *bytes = NULL;
+  size_t length = 0;
+  FILE *stream = open_memstream(&bytes, &length);
+  if (!stream) return error_set(error, STATUS_MEMORY, "out of memory");
+  *code = describe(file, stream);
+  fclose(stream);
+  const Status status = text_append_bytes(answer, error, bytes, length);
+  free(bytes);
+  return status;
+}
+
+static Status ask(const LawSearch *search, char *file, Text *answer, int *code, Error *error) {
+  char *absolute = realpath(file, NULL);
+  const bool is_ours = absolute && law_search_owns(search, absolute);
+  free(absolute);
+  return is_ours ? describe_here(file, answer, code, error)
+                 : child_run(describe, file, OPENING_SECONDS, answer, code, error);
+}
+
+/* The next text of an answer, or NULL. */
+static const char *next_text(const Text *answer, size_t *at) {
+  const char *text = answer->data + *at, *end = NULL;
+  if (*at < answer->length) end = memchr(text, 0, answer->length - *at);
+  if (!end) return NULL;
+  *at += (size_t)(end - text) + 1;
+  return text;
+}
+
+static Status add_answer(Rows *rows, const Text *answer, const char *file, Error *error) {
+  Status status = STATUS_OK;
+  size_t at = 0;
+  for (;;) {
+    const char *kind = next_text(answer, &at), *id = next_text(answer, &at), *title = next_text(answer, &at);
+    if (!title) return STATUS_OK;
+    TRY(add_row(rows, *kind == '0' + LAW_ENERGY ? LAW_ENERGY : LAW_DAMAGE, id, title, file, error));
   }
 cleanup:
+  return status;
+}
+
+/* A file that cannot be used is told of, and the others are listed. */
+static Status add_file(Rows *rows, const LawSearch *search, char *file, Error *error) {
+  Text answer = {0};
+  int code = EXIT_DONE;
+  Status status = ask(search, file, &answer, &code, error);
+  if (status == STATUS_FAILED) {
+    fprintf(stderr, "%s: %s when it was opened\n", file, error->text);
+    status = STATUS_OK;
+  } else if (status == STATUS_OK && (code != EXIT_DONE || answer.length == 0)) {
+    fprintf(stderr, "%s: %s\n", file, answer.length > 0 ? answer.data : "gives no answer");
+  } else if (status == STATUS_OK) {
+    status = add_answer(rows, &answer, file, error);
+  }
+  text_free(&answer);
   return status;
 }
 
@@ -110,13 +189,38 @@ static int list(bool markdown) {
   Rows rows = {0};
   TRY(law_search_default(&search, NULL, &error));
   TRY(law_search_files(&search, &files, &error));
-  for (size_t i = 0; i < files.n; i++) TRY(add_file(&rows, files.path[i], &error));
+  for (size_t i = 0; i < files.n; i++) TRY(add_file(&rows, &search, files.path[i], &error));
   (markdown ? print_markdown : print_rows)(&rows);
 cleanup:
-  array_free(rows.row);
+  free_rows(&rows);
   law_files_free(&files);
   law_search_free(&search);
   return status == STATUS_OK ? EXIT_DONE : fail(&error);
+}
+
+/* ---- the others ---- */
+
+typedef struct {
+  int (*run)(int argc, char **argv);
+  int argc;
+  char **argv;
+} Command;
+
+static int run_command(void *context, FILE *answer) {
+  const Command *command = context;
+  (void)answer; /* standard output, as in any process */
+  return command->run(command->argc, command->argv);
+}
+
+/* A command that calls one law. */
+static int call_apart(Command command) {
+  Error error;
+  int code = EXIT_FAILED;
+  const Status status = child_run(run_command, &command, CALLING_SECONDS, NULL, &code, &error);
+  if (status != STATUS_OK)
+    fprintf(stderr, "capsella laws %s: %s %s; `capsella laws check` tells where\n", command.argv[0],
+            command.argc > 1 ? command.argv[1] : "the law", error.text);
+  return status == STATUS_OK ? code : exit_code(status);
 }
 
 static int unknown(const char *what) {
@@ -134,8 +238,8 @@ int command_laws(int argc, char **argv) {
     if (argc > 2 && !markdown) return help_refuse("laws list", "expected no more than --markdown", argv[2]);
     return list(markdown);
   }
-  if (strcmp(what, "show") == 0) return command_laws_show(argc - 1, argv + 1);
-  if (strcmp(what, "plot") == 0) return command_laws_plot(argc - 1, argv + 1);
+  if (strcmp(what, "show") == 0) return call_apart((Command){command_laws_show, argc - 1, argv + 1});
+  if (strcmp(what, "plot") == 0) return call_apart((Command){command_laws_plot, argc - 1, argv + 1});
   if (strcmp(what, "check") == 0) return command_laws_check(argc - 1, argv + 1);
   if (strcmp(what, "new") == 0) return command_laws_new(argc - 1, argv + 1);
   return unknown(what);

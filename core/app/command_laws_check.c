@@ -1,8 +1,9 @@
-/* capsella laws check: the conformance suite on one plugin, as text or as JSON. */
+/* capsella laws check: the conformance suite on one plugin, as text, as TAP or as JSON. */
 #include "app/commands.h"
 #include "app/help.h"
 #include "laws/conformance.h"
 #include "laws/replay.h"
+#include "observe/countdown.h"
 #include "observe/json.h"
 #include <stdbool.h>
 #include <stdio.h>
@@ -21,6 +22,29 @@ static void print_text(const char *file, const ConformanceReport *report) {
   for (size_t i = 0; i < report->n; i++) count[report->result[i].outcome]++;
   printf("%s: %zu passed, %zu skipped, %zu failed\n", file, count[CONFORMANCE_PASSED],
          count[CONFORMANCE_SKIPPED], report->n_bad);
+}
+
+/* A directive of TAP begins with #. */
+static void put_escaped(const char *text) {
+  for (const char *c = text; *c; c++) {
+    if (*c == '#' || *c == '\\') putchar('\\');
+    putchar(*c == '\n' ? ' ' : *c);
+  }
+}
+
+/* The Test Anything Protocol, version 14: what a harness such as prove reads. */
+static void print_tap(const ConformanceReport *report) {
+  printf("TAP version 14\n1..%zu\n", report->n);
+  for (size_t i = 0; i < report->n; i++) {
+    const ConformanceResult *result = &report->result[i];
+    const bool is_skipped = result->outcome == CONFORMANCE_SKIPPED;
+    printf("%sok %zu - %s/%s", conformance_is_bad(result->outcome) ? "not " : "", i + 1, result->group,
+           result->name);
+    if (result->law[0]) printf(" %s", result->law);
+    if (result->text[0] || is_skipped) fputs(is_skipped ? " # SKIP " : ": ", stdout);
+    put_escaped(result->text);
+    putchar('\n');
+  }
 }
 
 static Status print_json(const char *file, const ConformanceReport *report, Error *error) {
@@ -76,11 +100,15 @@ static bool parse_seconds(const char *text, double *seconds) {
   return end != text && *end == '\0' && *seconds > 0.0 && *seconds <= 86400.0;
 }
 
+typedef enum { AS_TEXT, AS_TAP, AS_JSON } Format;
+
 /* Fills in the options; -1 to go on, an exit code otherwise. */
-static int parse(int argc, char **argv, ConformanceOptions *options, bool *json) {
+static int parse(int argc, char **argv, ConformanceOptions *options, Format *format) {
   for (int i = 1; i < argc; i++) {
     if (strcmp(argv[i], "--json") == 0) {
-      *json = true;
+      *format = AS_JSON;
+    } else if (strcmp(argv[i], "--tap") == 0) {
+      *format = AS_TAP;
     } else if (strcmp(argv[i], "--in-process") == 0) {
       options->in_process = true;
     } else if (strcmp(argv[i], "--only") == 0) {
@@ -100,21 +128,34 @@ static int parse(int argc, char **argv, ConformanceOptions *options, bool *json)
   return options->file ? -1 : help_refuse("laws check", "expected a file, found none", NULL);
 }
 
+static void show_progress(void *countdown, size_t done, size_t total, const char *test) {
+  countdown_show(countdown, (double)done, (double)total, test);
+}
+
+static Status print_report(Format format, const char *file, const ConformanceReport *report, Error *error) {
+  if (format == AS_JSON) return print_json(file, report, error);
+  if (format == AS_TAP)
+    print_tap(report);
+  else
+    print_text(file, report);
+  return STATUS_OK;
+}
+
 int command_laws_check(int argc, char **argv) {
-  ConformanceOptions options = {.time_limit = CONFORMANCE_TIME_LIMIT};
+  Countdown countdown;
+  ConformanceOptions options = {
+      .time_limit = CONFORMANCE_TIME_LIMIT, .progress = show_progress, .context = &countdown};
   ConformanceReport report;
   Error error;
-  bool json = false;
+  Format format = AS_TEXT;
   if (argc == 3 && strcmp(argv[1], "--replay") == 0) return replay(argv[2]);
-  const int code = parse(argc, argv, &options, &json);
+  const int code = parse(argc, argv, &options, &format);
   if (code >= 0) return code;
+  countdown_start(&countdown, stderr);
   Status status = conformance_run(&options, &report, &error);
+  countdown_clear(&countdown);
   if (status != STATUS_OK) return fail(&error);
-  if (json) {
-    status = print_json(options.file, &report, &error);
-  } else {
-    print_text(options.file, &report);
-  }
+  status = print_report(format, options.file, &report, &error);
   const bool bad = report.n_bad > 0;
   conformance_free(&report);
   if (status != STATUS_OK) return fail(&error);

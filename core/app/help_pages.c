@@ -121,6 +121,7 @@ const HelpPage HELP_PAGES[] = {
                            "'hole|overrun'"},
                  {.flag = "--time-limit", .value = "SECONDS", .about = "for each test; 10 without it"},
                  {.flag = "--json", .about = "one JSON object: file, results, counts"},
+                 {.flag = "--tap", .about = "the Test Anything Protocol, for a harness such as prove"},
                  {.flag = "--in-process",
                   .about = "no process of its own for a test, for a debugger: a crash ends the check"},
                  {.flag = "--replay", .value = "FILE", .kind = VALUE_FILE,

@@ -1,5 +1,7 @@
 #include "base/timer.h"
 
+#include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <time.h>
 
@@ -14,6 +16,18 @@ double timer_wall_seconds(void) {
 }
 double timer_cpu_seconds(void) {
   return seconds(CLOCK_PROCESS_CPUTIME_ID);
+}
+
+void timer_print(double time, char text[TIMER_TEXT]) {
+  if (!(time >= 0 && time < 3.6e6)) {
+    snprintf(text, TIMER_TEXT, "?");
+    return;
+  }
+  const long s = lround(time);
+  if (s >= 3600)
+    snprintf(text, TIMER_TEXT, "%ld:%02ld:%02ld", s / 3600, s / 60 % 60, s % 60);
+  else
+    snprintf(text, TIMER_TEXT, "%ld:%02ld", s / 60, s % 60);
 }
 
 static int compare(const void *a, const void *b) {

@@ -215,6 +215,7 @@ typedef struct {
   regex_t only;
   ConformanceReport *report;
   size_t capacity;
+  size_t done, total; /* tests, applicable or not */
 } CheckRun;
 
 static bool is_wanted(const CheckRun *run, const ConformanceGroup *group, const ConformanceTest *test) {
@@ -244,10 +245,18 @@ static Status add_result(CheckRun *run, const ConformanceGroup *group, const Con
   return STATUS_OK;
 }
 
+static void tell(const CheckRun *run, const ConformanceGroup *group, const ConformanceTest *test) {
+  char name[128];
+  if (!run->options->progress) return;
+  snprintf(name, sizeof name, "%s/%s", group->name, test->name);
+  run->options->progress(run->options->context, run->done, run->total, name);
+}
+
 static Status run_test(CheckRun *run, const ConformanceGroup *group, const ConformanceTest *test,
                        uint32_t law, bool *out_of_time, Error *error) {
   Status status;
   Answer answer;
+  tell(run, group, test);
   TRY(run_task(run->file, (Task){test, law}, run->options, &answer, error));
   const bool inapplicable = answer.verdict.outcome == CONFORMANCE_SKIPPED && !answer.verdict.text[0];
   if (!inapplicable) TRY(add_result(run, group, test, &answer, error));
@@ -256,16 +265,29 @@ cleanup:
   return status;
 }
 
-/* All tests of the plugin as a whole, or of one law.  After one that ran out of time the rest is left out:
- * most would do the same. */
+static bool is_due(const CheckRun *run, const ConformanceGroup *group, const ConformanceTest *test,
+                   bool of_law) {
+  return test->run && is_of_law(test) == of_law && is_wanted(run, group, test);
+}
+
+/* Tests of the plugin as a whole, or of one law. */
+static size_t count_tests(const CheckRun *run, bool of_law) {
+  size_t count = 0;
+  for (int g = 0; g < N_GROUPS; g++)
+    for (size_t k = 0; k < groups[g]->n; k++) count += is_due(run, groups[g], &groups[g]->test[k], of_law);
+  return count;
+}
+
+/* Runs those tests.  After one that ran out of time the rest is left out: most would do the same. */
 static Status run_tests(CheckRun *run, bool of_law, uint32_t law, Error *error) {
   Status status = STATUS_OK;
   bool out_of_time = false;
   for (int g = 0; g < N_GROUPS; g++) {
-    for (size_t k = 0; k < groups[g]->n && !out_of_time; k++) {
+    for (size_t k = 0; k < groups[g]->n; k++) {
       const ConformanceTest *test = &groups[g]->test[k];
-      if (!test->run || is_of_law(test) != of_law || !is_wanted(run, groups[g], test)) continue;
-      TRY(run_test(run, groups[g], test, law, &out_of_time, error));
+      if (!is_due(run, groups[g], test, of_law)) continue;
+      if (!out_of_time) TRY(run_test(run, groups[g], test, law, &out_of_time, error));
+      run->done++;
     }
   }
 cleanup:
@@ -309,6 +331,7 @@ Status conformance_run(const ConformanceOptions *options, ConformanceReport *rep
   if (!run.file) TRY(error_set(error, STATUS_INPUT, "%s: not a file that can be read", options->file));
   TRY(survey(&run, &n_laws, error));
   if (report->n_bad) goto cleanup;
+  run.total = count_tests(&run, false) + n_laws * count_tests(&run, true);
   TRY(run_tests(&run, false, 0, error));
   for (uint32_t k = 0; k < n_laws; k++) TRY(run_tests(&run, true, k, error));
 cleanup:

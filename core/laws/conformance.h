@@ -33,6 +33,9 @@ typedef struct {
   const char *only;  /* POSIX extended regular expression on "group/name"; NULL: all tests */
   double time_limit; /* seconds for each test */
   bool in_process;   /* no process of its own and no time limit: for a debugger */
+  /* Told before each test how many of how many have been run; may be NULL. */
+  void (*progress)(void *context, size_t done, size_t total, const char *test);
+  void *context;
 } ConformanceOptions;
 
 typedef struct {

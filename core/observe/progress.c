@@ -1,6 +1,7 @@
 /* One line of at most 80 columns; how it is drawn depends on what the stream is. */
 #include "observe/progress.h"
 
+#include "base/timer.h"
 #include <math.h>
 #include <unistd.h>
 
@@ -16,19 +17,6 @@ void progress_start(Progress *progress, FILE *stream, bool quiet, double t_start
     progress->mode = isatty(fileno(stream)) ? PROGRESS_REDRAW : PROGRESS_LINES;
 }
 
-/* h:mm:ss or m:ss; "?" before anything can be said. */
-static void print_duration(double seconds, char text[FIGURE_SIZE]) {
-  if (!(seconds >= 0 && seconds < 3.6e6)) {
-    snprintf(text, FIGURE_SIZE, "?");
-    return;
-  }
-  long s = lround(seconds);
-  if (s >= 3600)
-    snprintf(text, FIGURE_SIZE, "%ld:%02ld:%02ld", s / 3600, s / 60 % 60, s % 60);
-  else
-    snprintf(text, FIGURE_SIZE, "%ld:%02ld", s / 60, s % 60);
-}
-
 /* Four decimals, or "-" where there is no figure. */
 static void print_figure(double value, char text[FIGURE_SIZE]) {
   snprintf(text, FIGURE_SIZE, isfinite(value) ? "%.4f" : "-", value);
@@ -37,10 +25,10 @@ static void print_figure(double value, char text[FIGURE_SIZE]) {
 static void print_line(const Progress *progress, const ProgressState *state, char line[LINE_SIZE]) {
   const double elapsed = state->wall_seconds;
   const double rate = elapsed > 0 ? (state->t - progress->t_start) / elapsed : 0; /* time units per second */
-  char D12[FIGURE_SIZE], d_max[FIGURE_SIZE], left[FIGURE_SIZE];
+  char D12[FIGURE_SIZE], d_max[FIGURE_SIZE], left[TIMER_TEXT];
   print_figure(state->D12, D12);
   print_figure(state->d_max, d_max);
-  print_duration((progress->t_end - state->t) / rate, left);
+  timer_print((progress->t_end - state->t) / rate, left);
   snprintf(line, LINE_SIZE, "t %.4g/%g  step %lld (%.2g)  D12 %s  d_max %s  %.3g/s  left %s", state->t,
            progress->t_end, state->steps, state->step, D12, d_max, rate, left);
 }

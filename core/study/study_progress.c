@@ -1,9 +1,10 @@
 #include "study/study_progress.h"
 
 #include "base/timer.h"
+#include <math.h>
 #include <unistd.h>
 
-enum { LINE_SIZE = 160, DURATION_SIZE = 24 };
+enum { LINE_SIZE = 160 };
 static const double REDRAW_SECONDS = 0.1;
 
 void study_progress_start(StudyProgress *progress, FILE *stream, bool quiet, int jobs) {
@@ -11,19 +12,10 @@ void study_progress_start(StudyProgress *progress, FILE *stream, bool quiet, int
   progress->redraw = progress->stream && isatty(fileno(progress->stream));
 }
 
-/* "1:05", "2:00:00"; "?" before anything can be said. */
-static void print_left(const StudyProgress *progress, char text[DURATION_SIZE]) {
-  const double each = progress->timed > 0 ? progress->seconds / (double)progress->timed : -1;
-  const double left = each * (double)(progress->expected - progress->ended) / progress->jobs;
-  if (!(each >= 0 && left < 3.6e6)) {
-    snprintf(text, DURATION_SIZE, "?");
-    return;
-  }
-  const long s = (long)(left + 0.5);
-  if (s >= 3600)
-    snprintf(text, DURATION_SIZE, "%ld:%02ld:%02ld", s / 3600, s / 60 % 60, s % 60);
-  else
-    snprintf(text, DURATION_SIZE, "%ld:%02ld", s / 60, s % 60);
+/* Unknown before a case has been timed. */
+static void print_left(const StudyProgress *progress, char text[TIMER_TEXT]) {
+  const double each = progress->timed > 0 ? progress->seconds / (double)progress->timed : NAN;
+  timer_print(each * (double)(progress->expected - progress->ended) / progress->jobs, text);
 }
 
 void study_progress_clear(StudyProgress *progress) {
@@ -34,7 +26,7 @@ void study_progress_clear(StudyProgress *progress) {
 }
 
 void study_progress_ended(StudyProgress *progress, const ProgressCase *item) {
-  char left[DURATION_SIZE];
+  char left[TIMER_TEXT];
   progress->ended++;
   progress->failed += item->reason != NULL;
   if (item->seconds > 0) {
@@ -53,7 +45,7 @@ void study_progress_ended(StudyProgress *progress, const ProgressCase *item) {
 }
 
 void study_progress_show(StudyProgress *progress, int running) {
-  char line[LINE_SIZE], left[DURATION_SIZE];
+  char line[LINE_SIZE], left[TIMER_TEXT];
   const double now = timer_wall_seconds();
   if (!progress->redraw || now - progress->last_drawn < REDRAW_SECONDS) return;
   print_left(progress, left);

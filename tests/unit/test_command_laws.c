@@ -1,6 +1,7 @@
 /* capsella laws, as a user calls it. */
 #include "law_scene.h"
 #include "suite.h"
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/wait.h>
@@ -9,16 +10,21 @@
 static char output[65536]; /* of the last call, errors included */
 
 /* Runs `capsella laws ARGUMENTS`; returns the exit code. */
-static int laws(const char *arguments) {
+static int laws_with(const char *plugin_path, const char *arguments) {
   char command[1024];
   ck_assert_int_eq(chdir(BUILD_DIR), 0); /* its name may hold what a shell would not take */
-  snprintf(command, sizeof command, "MLAW_PLUGIN_PATH= ./capsella laws %s 2>&1", arguments);
+  ck_assert_int_eq(setenv("MLAW_PLUGIN_PATH", plugin_path, 1), 0);
+  snprintf(command, sizeof command, "./capsella laws %s 2>&1", arguments);
   FILE *pipe = popen(command, "r");
   ck_assert_ptr_nonnull(pipe);
   output[fread(output, 1, sizeof output - 1, pipe)] = '\0';
   const int status = pclose(pipe);
   ck_assert(WIFEXITED(status));
   return WEXITSTATUS(status);
+}
+
+static int laws(const char *arguments) {
+  return laws_with("", arguments);
 }
 
 static void expect_output(const char *words) {
@@ -175,6 +181,35 @@ START_TEST(new_names_what_it_cannot_use_and_writes_nothing) {
 }
 END_TEST
 
+START_TEST(check_speaks_tap) {
+  ck_assert_int_eq(laws("check plugins/skalak.so --only energy/ --tap"), 0);
+  expect_output("TAP version 14\n1..");
+  expect_output("ok 6 - energy/positive-moduli skalak: G_s = 1, K_s = 3\n");
+  ck_assert_ptr_null(strstr(output, "not ok"));
+  ck_assert_int_eq(laws("check tests/broken/prestressed.so --only energy/no-tension-at-rest --tap"), 1);
+  expect_output("TAP version 14\n1..2\nok 1 - load/opens-now-local\n");
+  expect_output("not ok 2 - energy/no-tension-at-rest prestressed: expected phi_1 + phi_2 = 0 at rest");
+}
+END_TEST
+
+START_TEST(a_plugin_that_crashes_costs_its_own_answer_alone) {
+  /* Sanitizers end a process in their own way, by an exit code. */
+  const bool is_sanitized = system("grep -q __asan_init " BUILD_DIR "/capsella") == 0;
+  ck_assert_int_ne(laws("show tests/broken/crashes_at_load.so"), 0);
+  if (!is_sanitized) {
+    expect_output("capsella laws show: tests/broken/crashes_at_load.so crashed (signal ");
+    ck_assert_int_ne(laws("plot tests/broken/crashes.so"), 0);
+    expect_output("capsella laws plot: tests/broken/crashes.so crashed (signal ");
+  }
+  /* The faults that opening a file brings to light, and the laws that ship. */
+  ck_assert_int_eq(laws_with(BUILD_DIR "/tests/broken", "list"), 0);
+  if (!is_sanitized) expect_output("/crashes_at_load.so: crashed (signal ");
+  expect_output("/no_entry.so: ");
+  expect_row((const char *[]){"energy  crashes ", "", BUILD_DIR "/tests/broken/crashes.so"});
+  expect_row((const char *[]){"energy  skalak ", " Skalak's membrane ", PLUGINS "/skalak.so"});
+}
+END_TEST
+
 int main(void) {
   return suite_run("command_laws",
                    (SuiteTests){list_gives_kind_id_title_and_file_of_every_law,
@@ -186,5 +221,6 @@ int main(void) {
                                 check_prints_each_test_and_ends_with_1_when_one_fails,
                                 check_of_nothing_is_an_input_error, plot_draws_the_curves_of_either_kind,
                                 plot_names_what_it_cannot_use,
-                                new_names_what_it_cannot_use_and_writes_nothing, NULL});
+                                new_names_what_it_cannot_use_and_writes_nothing, check_speaks_tap,
+                                a_plugin_that_crashes_costs_its_own_answer_alone, NULL});
 }

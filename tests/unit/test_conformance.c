@@ -147,6 +147,32 @@ START_TEST(only_runs_the_tests_that_match) {
 }
 END_TEST
 
+typedef struct {
+  size_t calls, total;
+} Told;
+
+static void count_call(void *context, size_t done, size_t total, const char *test) {
+  Told *told = context;
+  ck_assert_uint_eq(done, told->calls++);
+  ck_assert_ptr_nonnull(strchr(test, '/'));
+  told->total = total;
+}
+
+START_TEST(progress_is_told_before_each_test_and_ends_with_the_last) {
+  Told told = {0};
+  ConformanceReport report;
+  Error error;
+  const ConformanceOptions options = {.file = BUILD_DIR "/plugins/skalak.so",
+                                      .time_limit = CONFORMANCE_TIME_LIMIT,
+                                      .progress = count_call,
+                                      .context = &told};
+  ck_assert_int_eq(conformance_run(&options, &report, &error), STATUS_OK);
+  ck_assert_uint_gt(told.calls, 20);
+  ck_assert_uint_eq(told.calls, told.total);
+  conformance_free(&report);
+}
+END_TEST
+
 START_TEST(a_wrong_call_is_an_input_error) {
   ConformanceReport report;
   Error error;
@@ -172,6 +198,7 @@ int main(void) {
   tcase_add_test(group, a_law_that_ran_out_of_time_is_named_and_not_asked_again);
   tcase_add_test(group, a_run_admits_only_a_plugin_that_passes);
   tcase_add_test(group, only_runs_the_tests_that_match);
+  tcase_add_test(group, progress_is_told_before_each_test_and_ends_with_the_last);
   tcase_add_test(group, a_wrong_call_is_an_input_error);
   Suite *suite = suite_create("conformance");
   suite_add_tcase(suite, group);
