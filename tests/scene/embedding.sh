@@ -8,7 +8,7 @@ prefix="$work/prefix"
 cmake --install "$(dirname "$capsella")" --prefix "$prefix" >install.log || fail "cmake --install: $(cat install.log)"
 unset MLAW_PLUGIN_PATH LD_LIBRARY_PATH CPATH
 PKG_CONFIG_PATH=$(dirname "$(find "$prefix" -name capsella.pc)")
-export PKG_CONFIG_PATH CMAKE_PREFIX_PATH="$prefix"
+export PKG_CONFIG_PATH CMAKE_PREFIX_PATH="$prefix" OMP_WAIT_POLICY=passive OPENBLAS_NUM_THREADS=1
 
 follow docs/embedding.md 70 4
 
