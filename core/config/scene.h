@@ -63,6 +63,8 @@ typedef struct {
     int subdivisions;
     double rotation_axis[3]; /* mesh.rotation: {axis: [x, y, z], angle: radians} */
     double rotation_angle;
+    double jitter; /* random shift of the corners on the sphere, share of the length of an edge */
+    int seed;
   } mesh;
 
   struct {
@@ -80,12 +82,21 @@ typedef struct {
     SourcePlace place;
     double capillary_number; /* 0 until run/ derives it from `physical` */
     double gradient[3][3];   /* FLOW_LINEAR: v_i = gradient[i][j] x_j; filled in for the other kinds too */
-    double (*path)[2];       /* FLOW_INFLATION: (t, alpha), t rising */
+    double (*strength)[2];   /* (t, factor), t rising */
+    size_t n_strength;
+    double period;     /* of an oscillating flow; 0: it is steady */
+    double (*path)[2]; /* FLOW_INFLATION: (t, alpha), t rising */
     size_t n_path;
     bool is_physical; /* flow.physical was given: */
     Quantity radius, viscosity, shear_rate, shear_modulus;
     bool remove_flux; /* subtract the mean normal flux (default true) */
   } flow;
+
+  struct {
+    double axes[3]; /* semi-axes of the ellipsoid as which the capsule starts */
+    double noise;   /* largest random shift of a node in each coordinate */
+    int seed;
+  } start;
 
   struct {
     double end;

@@ -75,6 +75,11 @@ const SchemaRow SCHEMA[] = {
                 "depend on the mesh."},
     {.key = "capsule.mesh.rotation.angle", .type = TYPE_NUMBER, AT(mesh.rotation_angle), ANY, .fallback = "0",
      .meaning = "Angle of this rotation in radians."},
+    {.key = "capsule.mesh.jitter", .type = TYPE_NUMBER, AT(mesh.jitter), WITHIN(0, 0.3), .fallback = "0",
+     .meaning = "Corners of the elements are shifted on the sphere at random, in each direction by up to this "
+                "share of the mean edge: an irregular mesh shows how far results depend on the mesh."},
+    {.key = "capsule.mesh.seed", .type = TYPE_INTEGER, AT(mesh.seed), WITHIN(0, 999999), .fallback = "1",
+     .meaning = "The same seed gives the same irregular mesh."},
 
     {.key = "membrane.law", .type = TYPE_LAW, AT(membrane.elastic),
      .meaning = "Elastic law of the membrane."},
@@ -127,10 +132,30 @@ const SchemaRow SCHEMA[] = {
      .meaning = "Capillary number Ca = viscosity * rate * radius / shear modulus."},
     {.key = "flow.gradient", .type = TYPE_MATRIX, AT(flow.gradient), ANY, .where = &WITH_LINEAR_FLOW,
      .meaning = "Velocity gradient G of v = G x, row by row, in units of the rate; its trace is 0."},
-    {.key = "flow.path", .type = TYPE_PATH, AT(flow.path), .companion = offsetof(Scene, flow.n_path), ANY,
+    {.key = "flow.strength", .type = TYPE_PATH, AT(flow.strength),
+     .companion = offsetof(Scene, flow.n_strength), ANY, .where = &WITH_FLUID, .fallback = "[[0, 1]]",
+     .meaning = "What the flow is multiplied by at time t, linear between the points and constant behind the "
+                "last: [[0, 1], [5, 1], [5.01, 0]] switches it off at t = 5."},
+    {.key = "flow.period", .type = TYPE_NUMBER, AT(flow.period), AT_LEAST(0), .where = &WITH_FLUID,
+     .fallback = "0",
+     .meaning = "Period of an oscillating flow, which is multiplied by cos(2 pi t/period), in units of 1/rate; "
+                "0: it does not oscillate."},
+    {.key = "flow.path", .type = TYPE_PATH, AT(flow.path), .companion = offsetof(Scene, flow.n_path), ABOVE(-1),
      .where = &WITH_INFLATION,
      .meaning = "Imposed inflation: the radius is 1 + alpha(t), linear between the points; from t = 0 to "
                 "at least `time.end`."},
+
+    {.key = "start.axes", .type = TYPE_VECTOR, AT(start.axes), ABOVE(0), .where = &WITH_FLUID,
+     .fallback = "[1, 1, 1]",
+     .meaning = "Semi-axes along x, y and z of the ellipsoid as which the capsule starts, stretched from the "
+                "sphere at rest: [1.05, 1.05, 1.05] is inflated by 5 %. Its volume is the one that stays."},
+    {.key = "start.noise", .type = TYPE_NUMBER, AT(start.noise), WITHIN(0, 0.1), .where = &WITH_FLUID,
+     .fallback = "0",
+     .meaning = "Random shift of every node at the start, in each coordinate by up to this: what grows from "
+                "it, such as wrinkles, would grow from any disturbance."},
+    {.key = "start.seed", .type = TYPE_INTEGER, AT(start.seed), WITHIN(0, 999999), .where = &WITH_FLUID,
+     .fallback = "1",
+     .meaning = "The same seed gives the same noise."},
 
     {.key = "time.end", .type = TYPE_NUMBER, AT(time.end), ABOVE(0),
      .meaning = "Time at which the run ends, in units of 1/rate."},
@@ -286,11 +311,13 @@ Status schema_expected(const SchemaRow *row, Text *text, Error *error) {
     TRY(append_range(row, text, error));
     return text_append(text, error, " with a unit, such as `%s`", row->example);
   case TYPE_VECTOR:
-    return text_append(text, error, "a list of three numbers");
+    TRY(text_append(text, error, "a list of three numbers"));
+    return append_range(row, text, error);
   case TYPE_MATRIX:
     return text_append(text, error, "a list of three rows of three numbers");
   case TYPE_PATH:
-    return text_append(text, error, "a list of pairs `[t, alpha]`");
+    TRY(text_append(text, error, "a list of pairs `[t, value]`"));
+    return append_range(row, text, error);
   case TYPE_LAW:
     return text_append(text, error, "the name of a law or the path of a shared object");
   case TYPE_PARAMETERS:

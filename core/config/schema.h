@@ -15,7 +15,7 @@ typedef enum {
   TYPE_QUANTITY,   /* number with a unit of dimension `dim` -> Quantity */
   TYPE_VECTOR,     /* [x, y, z] -> double[3] */
   TYPE_MATRIX,     /* three rows -> double[3][3] */
-  TYPE_PATH,       /* [[t, alpha], ...] -> double (*)[2]; companion: size_t, number of points */
+  TYPE_PATH,       /* [[t, value], ...] -> double (*)[2]; companion: size_t, number of points */
   TYPE_LAW,        /* name or path of a law -> law and place of a SceneLaw */
   TYPE_PARAMETERS, /* names to numbers or quantities -> parameters of a SceneLaw */
   TYPE_CRITERIA,   /* list of mappings {name, law, parameters} -> SceneCriterion *; companion: size_t */

@@ -141,19 +141,17 @@ static Status read_matrix(const Reading *reading, const YamlNode *node, double (
 static Status read_point(const Reading *reading, const YamlNode *node, double (*points)[2], size_t i) {
   Status status = read_numbers(reading, node, 2, points[i]);
   if (status != STATUS_OK) return status;
-  double t = points[i][0], alpha = points[i][1];
+  double t = points[i][0];
   if (i == 0 && t != 0)
     return place_error(&node->place, reading->error, "expected a path from t = 0 on, found t = %g", t);
   if (i > 0 && t <= points[i - 1][0])
     return place_error(&node->place, reading->error,
                        "expected times that rise along the path, found %g behind %g", t, points[i - 1][0]);
-  if (alpha <= -1)
-    return place_error(&node->place, reading->error, "expected alpha above -1, found %g", alpha);
   return STATUS_OK;
 }
 
 static Status read_path(const Reading *reading, const YamlNode *node, double (**points)[2]) {
-  if (node->kind != YAML_TREE_LIST || node->count < 2) return unexpected(reading, node, "");
+  if (node->kind != YAML_TREE_LIST || node->count < 1) return unexpected(reading, node, "");
   Status status = STATUS_OK;
   TRY(ARRAY_NEW(points, node->count, reading->error));
   for (size_t i = 0; i < node->count; i++) TRY(read_point(reading, node->items[i], *points, i));

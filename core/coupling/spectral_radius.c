@@ -1,31 +1,18 @@
 #include "coupling/spectral_radius.h"
 
+#include "base/random.h"
 #include <math.h>
 #include <stdbool.h>
-#include <stdint.h>
 #include <string.h>
 
 enum { MAX_ITERATIONS = 60 };
-static const double CONVERGED = 5e-3; /* relative change between two iterates */
+static const double CONVERGED = 5e-3;    /* relative change between two iterates */
 static const double PERTURBATION = 3e-5; /* well above the round-off of single precision in coarse sums */
 
 static double norm(int n, const double *x) {
   double sum = 0;
   for (int i = 0; i < n; i++) sum += x[i] * x[i];
   return sqrt(sum);
-}
-
-/* splitmix64 */
-static uint64_t mix(uint64_t z) {
-  z += 0x9e3779b97f4a7c15u;
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-  return z ^ (z >> 31);
-}
-
-/* In (-1, 1). */
-static double uniform(uint64_t state) {
-  return (double)(int32_t)(state >> 32) * 0x1p-31;
 }
 
 /* 0 where there is no sign to follow, except at the origin, where there is nothing but that. */
@@ -44,12 +31,12 @@ void spectral_radius_seed(int n, const double *x, double *direction) {
       const double size = fabs(x[first + c]);
       uint64_t bits;
       memcpy(&bits, &size, sizeof bits);
-      state = mix(state ^ bits);
+      state = random_mix(state ^ bits);
       at_origin = at_origin && size == 0;
     }
     for (int c = 0; c < length; c++) {
-      state = mix(state);
-      direction[first + c] = odd(x[first + c], uniform(state), at_origin);
+      state = random_mix(state);
+      direction[first + c] = odd(x[first + c], random_symmetric(state), at_origin);
     }
   }
 }

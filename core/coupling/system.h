@@ -25,7 +25,7 @@ typedef struct {
   double mobility;          /* 1 / (Ca G_s) */
   bool keep_volume; /* subtract c n from v so that int v . n dS = 0, and move the end of a step back onto
                        volume0 */
-  double volume0;   /* enclosed by the initial surface */
+  double volume0;   /* to be enclosed: that of mesh->X until told otherwise */
   double *R,
       *q; /* [n_nodes][3] internal force and load of the last evaluation; q starts the next mass solve */
   double *u, *A, *normal; /* [n_nodes][3] scratch */

@@ -10,6 +10,8 @@
 /* Below this fraction of the gradient the vorticity is round-off. */
 static const double VORTICITY_NOISE = 1e-12;
 
+static const double PI = 3.14159265358979323846;
+
 static void linear_velocity(const Flow *flow, const double x[3], double t, double v[3]) {
   (void)t;
   for (int i = 0; i < 3; i++) v[i] = vec3_dot(flow->gradient[i], x);
@@ -39,7 +41,7 @@ static void strain_axis(const double G[3][3], double axis[3]) {
 }
 
 void flow_linear(Flow *flow, const double gradient[3][3]) {
-  flow->velocity = linear_velocity;
+  *flow = (Flow){.velocity = linear_velocity};
   memcpy(flow->gradient, gradient, sizeof flow->gradient);
   const double(*G)[3] = gradient;
   double size = 0;
@@ -56,6 +58,13 @@ void flow_linear(Flow *flow, const double gradient[3][3]) {
   }
 }
 
+double flow_factor(const Flow *flow, double t) {
+  const double strength = flow->strength.n > 0 ? broken_line_value(flow->strength, t) : 1;
+  return flow->period > 0 ? strength * cos(2 * PI * t / flow->period) : strength;
+}
+
 void flow_velocity(const Flow *flow, int n, const double *x, double t, double *v) {
+  const double factor = flow_factor(flow, t);
   for (int p = 0; p < n; p++) flow->velocity(flow, x + 3 * p, t, v + 3 * p);
+  for (int i = 0; i < 3 * n; i++) v[i] *= factor;
 }

@@ -9,6 +9,7 @@
 #include "mesh/mesh.h"
 
 #include "base/array.h"
+#include "base/random.h"
 #include "base/vec3.h"
 #include "mesh/surface.h"
 
@@ -162,6 +163,26 @@ Status mesh_sphere(Mesh *mesh, int subdivisions, const MeshRotation *rotation, E
 cleanup:
   if (status != STATUS_OK) mesh_free(mesh);
   return status;
+}
+
+void mesh_jitter(Mesh *mesh, double share, int seed) {
+  const double reach = share * mesh_edge_length(mesh, mesh->X);
+  uint64_t state = (uint64_t)seed;
+  for (int v = 0; v < mesh->n_vertices; v++) {
+    for (int i = 0; i < 3; i++) {
+      state = random_mix(state);
+      mesh->X[3 * v + i] += reach * random_symmetric(state);
+    }
+    vec3_normalize(&mesh->X[3 * v]);
+  }
+  for (int e = 0; e < mesh->n_elements; e++)
+    for (int k = 0; k < 3; k++) {
+      const int *node = mesh->element[e];
+      const double *a = &mesh->X[3 * node[k]], *b = &mesh->X[3 * node[(k + 1) % 3]];
+      double *middle = &mesh->X[3 * node[3 + k]];
+      for (int i = 0; i < 3; i++) middle[i] = a[i] + b[i];
+      vec3_normalize(middle);
+    }
 }
 
 void mesh_free(Mesh *mesh) {

@@ -32,6 +32,11 @@ typedef struct {
 Status mesh_sphere(Mesh *mesh, int subdivisions, const MeshRotation *rotation, Error *error);
 void mesh_free(Mesh *mesh);
 
+/* Makes the mesh of a sphere irregular: corners move on it by random shifts of up to `share` (at most 0.3) of
+ * the mean edge in each direction of space, mid-edge nodes stay halfway between them.  The same seed gives
+ * the same mesh. */
+void mesh_jitter(Mesh *mesh, double share, int seed);
+
 /* Checks that the surface is closed (each edge in two elements, opposite senses), of Euler number 2, and
  * outward. */
 Status mesh_check(const Mesh *mesh, Error *error);

@@ -1,6 +1,7 @@
 /* The motion of a capsule that the flow carries. */
 #include "run/motion.h"
 
+#include <math.h>
 #include <string.h>
 
 static FlowMotion *self(Motion *motion) {
@@ -12,7 +13,8 @@ static const Stepper *stepper_of(const Motion *motion) {
 
 static Status propose(Motion *motion, double t_limit, double *t1, Log *log, Error *error) {
   Stepper *stepper = self(motion)->stepper;
-  const Status status = stepper_propose(stepper, t_limit, log, error);
+  const double corner = broken_line_corner(self(motion)->system->flow->strength, motion->t);
+  const Status status = stepper_propose(stepper, fmin(t_limit, corner), log, error);
   *t1 = stepper->t1;
   return status;
 }

@@ -8,23 +8,14 @@ static InflationMotion *self(Motion *motion) {
   return (InflationMotion *)motion;
 }
 
-/* Index of the piece of the path that holds t. */
-static size_t piece(const InflationMotion *motion, double t) {
-  size_t k = 0;
-  while (k + 2 < motion->n_path && motion->path[k + 1][0] <= t) k++;
-  return k;
-}
-
 double inflation_alpha(const InflationMotion *motion, double t) {
-  const double(*p)[2] = motion->path + piece(motion, t);
-  const double u = (t - p[0][0]) / (p[1][0] - p[0][0]);
-  return p[0][1] + fmin(fmax(u, 0), 1) * (p[1][1] - p[0][1]);
+  return broken_line_value(motion->path, t);
 }
 
 static void at(const Motion *motion, double t, double *x, double *v) {
   const InflationMotion *m = (const InflationMotion *)motion;
-  const double(*p)[2] = m->path + piece(m, motion->t); /* of the step: a corner belongs to both its sides */
-  const double scale = 1 + inflation_alpha(m, t), rate = (p[1][1] - p[0][1]) / (p[1][0] - p[0][0]);
+  const double scale = 1 + inflation_alpha(m, t);
+  const double rate = broken_line_slope(m->path, motion->t); /* of the step: a corner belongs to both sides */
   for (int i = 0; i < 3 * m->mesh->n_nodes; i++) {
     x[i] = scale * m->mesh->X[i];
     if (v) v[i] = rate * m->mesh->X[i];
@@ -34,9 +25,7 @@ static void at(const Motion *motion, double t, double *x, double *v) {
 /* The next time at which a step ends: a corner of the path, or `longest` further on, without a crumb of a
  * step from round-off. */
 static double next_time(const InflationMotion *m, double t_limit) {
-  double t1 = t_limit;
-  for (size_t k = 0; k < m->n_path; k++)
-    if (m->path[k][0] > m->base.t && m->path[k][0] < t1) t1 = m->path[k][0];
+  const double t1 = fmin(t_limit, broken_line_corner(m->path, m->base.t));
   return t1 - m->base.t <= m->longest * (1 + 1e-9) ? t1 : m->base.t + m->longest;
 }
 
@@ -97,8 +86,7 @@ Status inflation_motion(InflationMotion *motion, const Mesh *mesh, Membrane *mem
                         const double (*path)[2], size_t n_path, double longest, Error *error) {
   Status status = STATUS_OK;
   const size_t n = 3 * (size_t)mesh->n_nodes;
-  *motion = (InflationMotion){
-      .mesh = mesh, .membrane = membrane, .path = path, .n_path = n_path, .longest = longest};
+  *motion = (InflationMotion){.mesh = mesh, .membrane = membrane, .path = {path, n_path}, .longest = longest};
   TRY(ARRAY_NEW(&motion->x, n, error));
   TRY(ARRAY_NEW(&motion->force, n, error));
   TRY(ARRAY_NEW(&motion->load, n, error));

@@ -2,6 +2,7 @@
 #ifndef CAPSELLA_RUN_MOTION_H
 #define CAPSELLA_RUN_MOTION_H
 
+#include "base/broken_line.h"
 #include "base/log.h"
 #include "base/status.h"
 #include "coupling/stepper.h"
@@ -36,7 +37,7 @@ struct Motion {
 enum { MOTION_RESTART_ITEMS = 9 };
 
 /* Carried by the flow: the stepper does the work and must be started (or restored) before the first proposal.
- */
+ * Steps end on the times at which the strength of the flow has a corner. */
 typedef struct {
   Motion base;
   CoupledSystem *system;
@@ -50,8 +51,7 @@ typedef struct {
   Motion base;
   const Mesh *mesh;
   Membrane *membrane;
-  const double (*path)[2];
-  size_t n_path;
+  BrokenLine path; /* (t, alpha) */
   double longest;
   double t1;
   double *x, *force, *load; /* [n_nodes][3] */

@@ -2,6 +2,7 @@
 
 #include "base/array.h"
 #include "base/file.h"
+#include "base/random.h"
 #include "laws/conformance.h"
 #include "mesh/surface.h"
 #include <math.h>
@@ -124,8 +125,9 @@ static Status find_symmetry(Simulation *s, Error *error) {
     TRY(symmetry_none(&s->symmetry, &s->mesh, error));
     goto cleanup;
   }
+  /* An ellipsoid along the axes has the symmetries of the sphere, and noise has none. */
   const double(*gradient)[3] = (const double(*)[3])s->scene->flow.gradient;
-  TRY(symmetry_find(&s->symmetry, &s->mesh, s->mesh.X, simulation_is_inflation(s) ? NULL : gradient, error));
+  TRY(symmetry_find(&s->symmetry, &s->mesh, s->start, simulation_is_inflation(s) ? NULL : gradient, error));
   TRY(keep_symmetric_values(s, &s->material.elastic, &s->material.elastic_values, error));
   TRY(keep_symmetric_values(s, &s->material.damage, &s->material.damage_values, error));
   for (size_t i = 0; i < s->n_criteria; i++)
@@ -147,10 +149,28 @@ static Status build_mesh(Simulation *s, Error *error) {
   MeshRotation rotation = {.angle = s->scene->mesh.rotation_angle};
   for (int c = 0; c < 3; c++) rotation.axis[c] = s->scene->mesh.rotation_axis[c];
   TRY(mesh_sphere(&s->mesh, s->scene->mesh.subdivisions, rotation.angle != 0 ? &rotation : NULL, error));
-  s->volume0 = surface_volume(&s->mesh, s->mesh.X);
+  if (s->scene->mesh.jitter > 0) mesh_jitter(&s->mesh, s->scene->mesh.jitter, s->scene->mesh.seed);
   s->area0 = surface_area(&s->mesh, s->mesh.X);
 cleanup:
   return status;
+}
+
+/* The sphere at rest stretched to the axes of the start, and shaken. */
+static Status shape_start(Simulation *s, Error *error) {
+  const size_t n = 3 * (size_t)s->mesh.n_nodes;
+  const double *axes = s->scene->start.axes, noise = s->scene->start.noise;
+  const Status status = ARRAY_NEW(&s->start, n, error);
+  if (status != STATUS_OK) return status;
+  memcpy(s->start, s->mesh.X, n * sizeof *s->start);
+  if (!simulation_is_inflation(s)) {
+    uint64_t state = (uint64_t)s->scene->start.seed;
+    for (size_t i = 0; i < n; i++) {
+      state = random_mix(state);
+      s->start[i] = axes[i % 3] * s->start[i] + noise * random_symmetric(state);
+    }
+  }
+  s->volume0 = surface_volume(&s->mesh, s->start);
+  return STATUS_OK;
 }
 
 /* An inflation has no vorticity axis; y stands in for it, as in simple shear. */
@@ -160,6 +180,8 @@ static void describe_flow(Simulation *s) {
     memcpy(s->flow.vorticity_axis, Y_AXIS, sizeof Y_AXIS);
   } else {
     flow_linear(&s->flow, (const double(*)[3])s->scene->flow.gradient);
+    s->flow.strength = (BrokenLine){(const double(*)[2])s->scene->flow.strength, s->scene->flow.n_strength};
+    s->flow.period = s->scene->flow.period;
   }
 }
 
@@ -183,6 +205,7 @@ static Status build_fluid(Simulation *s, Error *error) {
   TRY(system_new(&s->system, &s->mesh, s->membrane, s->layer, &s->flow, mobility, scene->flow.remove_flux,
                  error));
   if (s->symmetry.n_operations > 1) s->system.symmetry = &s->symmetry;
+  s->system.volume0 = s->volume0;
   TRY(build_coarse_layer(s, error));
   const StepperOptions options = {.integrator = scene->time.integrator,
                                   .is_auto = scene->time.step_is_auto,
@@ -211,6 +234,7 @@ cleanup:
 Status simulation_new(Simulation *s, Scene *scene, Log *log, Error *error) {
   Status status = STATUS_OK;
   TRY(simulation_load_laws(s, scene, log, error));
+  TRY(shape_start(s, error));
   TRY(find_symmetry(s, error));
   TRY(membrane_new(&s->membrane, &s->mesh, &s->symmetry, &s->material, scene->membrane.mass_solver, error));
   if (simulation_is_inflation(s)) {
@@ -235,6 +259,7 @@ void simulation_free(Simulation *s) {
   coarse_layer_free(s->coarse);
   membrane_free(s->membrane);
   symmetry_free(&s->symmetry);
+  array_free(s->start);
   mesh_free(&s->mesh);
   for (size_t i = 0; i < s->n_criteria; i++) material_free(&s->criterion[i]);
   array_free(s->criterion);
@@ -243,6 +268,12 @@ void simulation_free(Simulation *s) {
 }
 
 Status simulation_start(Simulation *s, Error *error) {
+  Status status = STATUS_OK;
   if (simulation_is_inflation(s)) return inflation_start(&s->inflated, error);
-  return stepper_start(&s->stepper, 0, s->mesh.X, error);
+  /* What the start itself damages is there from the beginning, and no growth of the first step. */
+  TRY(membrane_force(s->membrane, s->start, 0, 0, s->system.R, error));
+  membrane_commit(s->membrane);
+  TRY(stepper_start(&s->stepper, 0, s->start, error));
+cleanup:
+  return status;
 }

@@ -26,7 +26,9 @@ typedef struct {
   Mesh mesh;
   Symmetry symmetry; /* of mesh, flow and laws */
   Membrane *membrane;
-  double volume0, area0; /* of the initial discrete surface */
+  double *start;  /* [n_nodes][3] positions at t = 0 */
+  double volume0; /* enclosed at the start */
+  double area0;   /* of the surface at rest */
 
   Flow flow; /* of an inflation only the axis, y */
   /* Flow scenes only: */

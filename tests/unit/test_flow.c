@@ -21,6 +21,27 @@ START_TEST(velocity_is_gradient_times_position) {
 }
 END_TEST
 
+START_TEST(a_flow_follows_its_strength_and_its_period) {
+  const double G[3][3] = {{0, 0, 1}, {0, 0, 0}, {0, 0, 0}}, points[][2] = {{0, 1}, {1, 3}, {1.5, 0}};
+  const double x[3] = {0, 0, 2};
+  double v[3];
+  Flow flow;
+  flow_linear(&flow, G);
+  ck_assert_double_eq(flow_factor(&flow, 7), 1);
+  flow.strength = (BrokenLine){points, 3};
+  const double times[] = {0, 0.5, 1, 1.25, 1.5, 9}, factors[] = {1, 2, 3, 1.5, 0, 0};
+  for (int i = 0; i < 6; i++) {
+    flow_velocity(&flow, 1, x, times[i], v);
+    ck_assert_double_eq_tol(v[0], 2 * factors[i], 1e-15);
+  }
+  flow.period = 2;
+  flow_velocity(&flow, 1, x, 1, v);
+  ck_assert_double_eq_tol(v[0], -6, 1e-14); /* half a period later */
+  flow_velocity(&flow, 1, x, 0.5, v);
+  ck_assert_double_eq_tol(v[0], 0, 1e-15);
+}
+END_TEST
+
 START_TEST(simple_shear_turns_about_y) {
   const double shear[3][3] = {{0, 0, 1}, {0, 0, 0}, {0, 0, 0}};
   assert_axis(shear, 0, 1, 0);
@@ -54,8 +75,9 @@ START_TEST(degenerate_strain_still_gives_a_unit_axis) {
 END_TEST
 
 int main(void) {
-  return suite_run("flow", (SuiteTests){velocity_is_gradient_times_position, simple_shear_turns_about_y,
-                                        axis_follows_the_sense_of_rotation,
+  return suite_run("flow", (SuiteTests){velocity_is_gradient_times_position,
+                                        a_flow_follows_its_strength_and_its_period,
+                                        simple_shear_turns_about_y, axis_follows_the_sense_of_rotation,
                                         flow_without_vorticity_takes_the_intermediate_axis_of_strain,
                                         degenerate_strain_still_gives_a_unit_axis, NULL});
 }

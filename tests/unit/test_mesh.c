@@ -231,6 +231,33 @@ START_TEST(bad_input_is_refused_with_what_was_expected) {
 }
 END_TEST
 
+START_TEST(a_jittered_mesh_is_whole_irregular_and_the_same_for_the_same_seed) {
+  for (int seed = 1; seed <= 20; seed++) {
+    Mesh regular = sphere(2, NULL), mesh = sphere(2, NULL), again = sphere(2, NULL);
+    Error error;
+    mesh_jitter(&mesh, 0.3, seed);
+    mesh_jitter(&again, 0.3, seed);
+    ck_assert_int_eq(mesh_check(&mesh, &error), STATUS_OK);
+    ck_assert_mem_eq(mesh.X, again.X, 3 * (size_t)mesh.n_nodes * sizeof *mesh.X);
+    const double reach = 0.3 * mesh_edge_length(&regular, regular.X);
+    double farthest = 0;
+    for (int p = 0; p < mesh.n_nodes; p++) {
+      double shift[3];
+      for (int i = 0; i < 3; i++) shift[i] = mesh.X[3 * p + i] - regular.X[3 * p + i];
+      farthest = fmax(farthest, vec3_norm(shift));
+      ck_assert_double_eq_tol(vec3_norm(&mesh.X[3 * p]), 1, 1e-15);
+    }
+    ck_assert_double_gt(farthest, reach); /* one of 162 corners goes far in two directions at once */
+    ck_assert_double_lt(farthest, 1.1 * sqrt(3) * reach); /* all three; and back onto the sphere */
+    mesh_jitter(&again, 0.3, seed + 1);
+    ck_assert_mem_ne(mesh.X, again.X, 3 * (size_t)mesh.n_nodes * sizeof *mesh.X);
+    mesh_free(&regular);
+    mesh_free(&mesh);
+    mesh_free(&again);
+  }
+}
+END_TEST
+
 START_TEST(any_failing_allocation_is_reported_and_leaves_nothing) {
   Mesh mesh;
   Error error;
@@ -260,6 +287,7 @@ int main(void) {
                   node_tables_are_the_inverse_of_the_elements,
                   mirrors_in_the_coordinate_planes_map_nodes_on_nodes_bit_for_bit,
                   rotation_turns_every_node_about_the_axis, no_rotation_changes_no_bit,
+                  a_jittered_mesh_is_whole_irregular_and_the_same_for_the_same_seed,
                   edge_length_of_the_icosahedron_is_known, bad_input_is_refused_with_what_was_expected,
                   any_failing_allocation_is_reported_and_leaves_nothing, NULL});
 }

@@ -23,13 +23,15 @@ START_TEST(every_key_lands_in_the_scene) {
       "name: everything\n"
       "capsule:\n"
       "  shape: sphere\n"
-      "  mesh: {subdivisions: 4, rotation: {axis: [1, 2, 3], angle: 0.5}}\n"
+      "  mesh: {subdivisions: 4, rotation: {axis: [1, 2, 3], angle: 0.5}, jitter: 0.1, seed: 7}\n"
       "membrane:\n"
       "  law: skalak\n"
       "  parameters: {G_s: 1, C: 10}\n"
       "  damage: {law: ./my.so#acme.creep, parameters: {tau: 2 s}, d_max: 0.9, nonlocal: {length: 0.25}}\n"
       "  mass_solver: umfpack\n"
-      "flow: {kind: linear, capillary_number: 0.3, gradient: [[0, 0, 2], [0, 0, 0], [1, 0, 0]]}\n"
+      "flow: {kind: linear, capillary_number: 0.3, gradient: [[0, 0, 2], [0, 0, 0], [1, 0, 0]],\n"
+      "       strength: [[0, 1], [2, -1]], period: 3}\n"
+      "start: {axes: [1.1, 1, 0.9], noise: 1e-6, seed: 8}\n"
       "time: {end: 3, integrator: rk2, step: 0.01, tolerance: 1e-6, allow_unstable: true}\n"
       "stop: {rupture: continue, steady: 1e-5}\n"
       "observe: {criteria: [{law: rankine, parameters: {T_D: 1}}, {name: b, law: ./x.so#y.z}]}\n"
@@ -43,6 +45,7 @@ START_TEST(every_key_lands_in_the_scene) {
   ck_assert_int_eq(s.mesh.subdivisions, 4);
   ck_assert(s.mesh.rotation_axis[0] == 1 && s.mesh.rotation_axis[1] == 2 && s.mesh.rotation_axis[2] == 3);
   ck_assert(s.mesh.rotation_angle == 0.5);
+  ck_assert(s.mesh.jitter == 0.1 && s.mesh.seed == 7);
   ck_assert_str_eq(s.membrane.elastic.law, "skalak");
   ck_assert_int_eq(s.membrane.elastic.place.line, 7);
   ck_assert_int_eq(s.membrane.elastic.place.column, 8);
@@ -62,7 +65,7 @@ START_TEST(every_key_lands_in_the_scene) {
   ck_assert_uint_eq(s.observe.n_criteria, 2);
   ck_assert_str_eq(s.observe.criteria[0].name, "rankine");
   ck_assert_str_eq(s.observe.criteria[0].law.parameters[0].name, "T_D");
-  ck_assert_int_eq(s.observe.criteria[0].law.place.line, 14);
+  ck_assert_int_eq(s.observe.criteria[0].law.place.line, 16);
   ck_assert_str_eq(s.observe.criteria[1].name, "b");
   ck_assert_str_eq(s.observe.criteria[1].law.law, "./x.so#y.z");
   ck_assert_uint_eq(s.observe.criteria[1].law.n_parameters, 0);
@@ -71,6 +74,10 @@ START_TEST(every_key_lands_in_the_scene) {
   ck_assert_int_eq(s.flow.place.line, 11);
   ck_assert(s.flow.capillary_number == 0.3 && !s.flow.is_physical);
   ck_assert(s.flow.gradient[0][2] == 2 && s.flow.gradient[2][0] == 1 && s.flow.gradient[1][1] == 0);
+  ck_assert_uint_eq(s.flow.n_strength, 2);
+  ck_assert(s.flow.strength[1][0] == 2 && s.flow.strength[1][1] == -1 && s.flow.period == 3);
+  ck_assert(s.start.axes[0] == 1.1 && s.start.axes[1] == 1 && s.start.axes[2] == 0.9);
+  ck_assert(s.start.noise == 1e-6 && s.start.seed == 8);
   ck_assert(s.time.end == 3 && !s.time.step_is_auto && s.time.step == 0.01 && s.time.tolerance == 1e-6);
   ck_assert_int_eq(s.time.integrator, INTEGRATOR_RK2);
   ck_assert(s.time.allow_unstable);
@@ -89,7 +96,10 @@ START_TEST(a_short_scene_gets_the_documented_defaults) {
   Scene s = read_good(MEMBRANE SHEAR END, NULL);
   ck_assert_str_eq(s.name, "unnamed");
   ck_assert_int_eq(s.mesh.subdivisions, 3);
-  ck_assert(s.mesh.rotation_angle == 0);
+  ck_assert(s.mesh.rotation_angle == 0 && s.mesh.jitter == 0);
+  ck_assert_uint_eq(s.flow.n_strength, 1);
+  ck_assert(s.flow.strength[0][1] == 1 && s.flow.period == 0);
+  ck_assert(s.start.axes[0] == 1 && s.start.axes[1] == 1 && s.start.axes[2] == 1 && s.start.noise == 0);
   ck_assert(!s.membrane.has_damage);
   ck_assert_ptr_null(s.membrane.damage.law);
   ck_assert_int_eq(s.membrane.mass_solver, MASS_PCG);
@@ -208,6 +218,10 @@ static void expect_round_trip(const Scene *a) {
   ck_assert_int_eq(a->flow.kind, b.flow.kind);
   ck_assert_mem_eq(&a->flow.capillary_number, &b.flow.capillary_number, sizeof(double));
   ck_assert_mem_eq(a->flow.gradient, b.flow.gradient, sizeof a->flow.gradient);
+  ck_assert_mem_eq(&a->start, &b.start, sizeof a->start);
+  ck_assert_uint_eq(a->flow.n_strength, b.flow.n_strength);
+  if (a->flow.n_strength)
+    ck_assert_mem_eq(a->flow.strength, b.flow.strength, a->flow.n_strength * sizeof *a->flow.strength);
   ck_assert_uint_eq(a->flow.n_path, b.flow.n_path);
   if (a->flow.n_path) ck_assert_mem_eq(a->flow.path, b.flow.path, a->flow.n_path * sizeof *a->flow.path);
   ck_assert_mem_eq(&a->flow.radius.value, &b.flow.radius.value, sizeof(double));
@@ -230,6 +244,8 @@ static void expect_round_trip(const Scene *a) {
 START_TEST(resolved_scenes_read_back_to_the_same_bits) {
   static const char *const texts[] = {
       MEMBRANE SHEAR END,
+      MEMBRANE SHEAR "  strength: [[0, 0.1], [0.30000000000000004, -1]]\n" END
+                     "start: {axes: [0.1, 3, 1e-3]}\n",
       MEMBRANE PHYSICAL END,
       MEMBRANE
       "  damage: {law: marigo, parameters: {Y_D: 0.1 N/m, t: 3 ms, r: 1e-3 1/mPa}, d_max: 0.99}\n" SHEAR END,

@@ -149,11 +149,12 @@ START_TEST(gradients_and_paths_that_make_no_sense_are_refused) {
       {LINEAR("[[1, 0, 0], [0, -1], [0, 0, 0]]"), "scene.yaml:8:25:", "three rows of three numbers"},
       {LINEAR("5"), "scene.yaml:8:13:", "found `5`"},
       {PATH("[]"), "scene.yaml:7:9:", "a list of pairs"},
-      {PATH("[[0, 0]]"), "scene.yaml:7:9:", "a list of pairs"},
+      {PATH("[[0, 0]]"), "scene.yaml:7:9:", "a path to `time.end` = 10, found one to t = 0"},
       {PATH("[[0, 0], [10]]"), "scene.yaml:7:18:", "a list of pairs"},
       {PATH("[[1, 0], [10, 1]]"), "scene.yaml:7:10:", "a path from t = 0 on, found t = 1"},
       {PATH("[[0, 0], [10, 1], [10, 2]]"), "scene.yaml:7:27:", "times that rise"},
-      {PATH("[[0, 0], [10, -1]]"), "scene.yaml:7:18:", "alpha above -1"},
+      {PATH("[[0, 0], [10, -1]]"), "scene.yaml:7:23:", "a list of pairs `[t, value]` above -1"},
+      {MEMBRANE SHEAR "  strength: [[0, 1], [0, 0]]\n" END, "scene.yaml:8:22:", "times that rise"},
       {PATH("[[0, 0], [9, 1]]"), "scene.yaml:7:9:", "a path to `time.end` = 10, found one to t = 9"},
   };
   EXPECT_ALL_REFUSED(table);
