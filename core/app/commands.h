@@ -14,6 +14,7 @@ int command_laws_new(int argc, char **argv);   /* the same with "new" */
 int command_laws_plot(int argc, char **argv);  /* the same with "plot" */
 int command_study(int argc, char **argv);
 int command_report(int argc, char **argv);
+int command_maps(int argc, char **argv);
 int command_bench(int argc, char **argv);
 int command_manual(int argc, char **argv);
 

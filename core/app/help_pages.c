@@ -168,6 +168,27 @@ const HelpPage HELP_PAGES[] = {
      .examples = {{"capsella report results/shear_reference", NULL},
                   {"capsella report results/shear_reference --color T1 --time 3", "the larger tension, at t = 3"}}},
 
+    {.name = "maps",
+     .about = "draw maps of fields over the membrane, from the snapshots of runs",
+     .options = {{.value = "DIR", .kind = VALUE_FOLDER, .required = true, .repeats = true,
+                  .about = "the folder of a run; of several, the last states stand side by side"},
+                 {.flag = "--at", .value = "T,T...",
+                  .about = "the snapshots of one run that are nearest to these times (default: the newest)"},
+                 {.flag = "--field", .value = "NAME,NAME...",
+                  .about = "d, Y, T1, T2, T2- (its negative part), q.n (default: d)"},
+                 {.flag = "--view", .value = "NAME,NAME...",
+                  .about = "shear (along the vorticity axis), transverse (along e_2), flow (along the "
+                           "gradient), reference (the sphere at rest) (default: shear)"},
+                 {.flag = "--range", .value = "LOW:HIGH",
+                  .about = "of the colours (default: what each row shows)"},
+                 {.flag = "-o", .value = "FILE.svg", .kind = VALUE_FILE,
+                  .about = "where the maps go (default: DIR/maps.svg)"}},
+     .text = "One picture, a row for each field and view, a column for each state, all at one scale.",
+     .examples = {{"capsella maps results/fig10 --at 1.1,2,3.4,10 --view transverse,shear,reference",
+                   "how damage spreads"},
+                  {"capsella maps results/sweep/cases/* --range 0:0.2", "the last states of a study that "
+                                                                        "keeps them"}}},
+
     {.name = "bench",
      .about = "measure run time against error on this machine",
      .options = {{.flag = "--full", .about = "finer meshes and more points: a quarter of an hour or so "

@@ -16,9 +16,9 @@ static const struct {
   int (*run)(int argc, char **argv);
   bool serial; /* computes nothing in threads, so it need not set them up */
 } COMMANDS[] = {
-    {"run", command_run, false},      {"study", command_study, true},  {"laws", command_laws, true},
-    {"report", command_report, true}, {"bench", command_bench, false}, {"manual", command_manual, true},
-    {"help", command_help, true},
+    {"run", command_run, false},      {"study", command_study, true}, {"laws", command_laws, true},
+    {"report", command_report, true}, {"maps", command_maps, true},   {"bench", command_bench, false},
+    {"manual", command_manual, true}, {"help", command_help, true},
 };
 enum { N_COMMANDS = sizeof COMMANDS / sizeof *COMMANDS };
 

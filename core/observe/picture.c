@@ -4,6 +4,7 @@
 
 #include "base/array.h"
 #include "base/vec3.h"
+#include "observe/palette.h"
 #include "observe/projection.h"
 #include "observe/svg.h"
 #include <math.h>
@@ -36,21 +37,11 @@ typedef struct {
 
 /* --- colours --- */
 
-/* viridis at 0, 0.1, ... 1: even in lightness, and legible to colour-blind eyes and in grey. */
-static const unsigned char viridis[11][3] = {{68, 1, 84},    {72, 36, 117},  {65, 68, 135},  {53, 95, 141},
-                                             {42, 120, 142}, {33, 145, 140}, {34, 168, 132}, {68, 191, 112},
-                                             {122, 209, 81}, {189, 223, 38}, {253, 231, 37}};
 static const unsigned char plain[3] = {150, 170, 190};
-
-static void map_color(double fraction, double rgb[3]) {
-  const double place = 10 * fmin(fmax(fraction, 0), 1);
-  const int k = place < 9 ? (int)place : 9;
-  for (int c = 0; c < 3; c++) rgb[c] = viridis[k][c] + (place - k) * (viridis[k + 1][c] - viridis[k][c]);
-}
 
 static unsigned color_of(const Picture *picture, const Frame *frame, const Piece *piece) {
   double rgb[3] = {plain[0], plain[1], plain[2]};
-  if (picture->field) map_color((piece->value - frame->minimum) / (frame->maximum - frame->minimum), rgb);
+  if (picture->field) palette_color((piece->value - frame->minimum) / (frame->maximum - frame->minimum), rgb);
   /* Shade and a faint gloss show the form, even where the map is dark; the field stays legible. */
   const double shade = 0.65 + 0.35 * piece->light, gloss = 0.25 * pow(piece->light, 6);
   unsigned color = 0;
@@ -277,22 +268,11 @@ cleanup:
 
 /* --- the colour bar --- */
 
-static Status print_gradient(Text *svg, Error *error) {
-  Status status;
-  TRY(text_append(svg, error, "<linearGradient id=\"map\" x1=\"0\" y1=\"1\" x2=\"0\" y2=\"0\">\n"));
-  for (int k = 0; k <= 10; k++)
-    TRY(text_append(svg, error, "<stop offset=\"%g\" stop-color=\"#%02x%02x%02x\"/>\n", 0.1 * k,
-                    viridis[k][0], viridis[k][1], viridis[k][2]));
-  TRY(text_append(svg, error, "</linearGradient>\n"));
-cleanup:
-  return status;
-}
-
 static Status print_bar(const Picture *picture, const Frame *frame, Text *svg, Error *error) {
   enum { LEFT = 15, WIDTH = 16, TOP = 60, LENGTH = VIEW_SIZE - 80 };
   Status status;
   const double range = frame->maximum - frame->minimum, step = svg_tick_step(range, 5);
-  TRY(print_gradient(svg, error));
+  TRY(palette_gradient("map", svg, error));
   TRY(text_append(svg, error, "<g transform=\"translate(%zu 0)\" stroke=\"#333\">\n",
                   picture->n_views * VIEW_SIZE + LEFT));
   TRY(text_append(svg, error, "<rect y=\"%d\" width=\"%d\" height=\"%d\" fill=\"url(#map)\"/>\n", TOP, WIDTH,

@@ -62,7 +62,8 @@ static bool make_piece(const Projection *projection, const int element[6], const
   double position[3][3];
   *piece = (Piece){0};
   for (int k = 0; k < 3; k++) {
-    piece->value += interpolate(element, x, field, at[k], position[k]) / 3;
+    piece->values[k] = interpolate(element, x, field, at[k], position[k]);
+    piece->value += piece->values[k] / 3;
     vec3_subtract(position[k], center, position[k]);
     piece->corner[k][0] = vec3_dot(position[k], projection->right);
     piece->corner[k][1] = vec3_dot(position[k], projection->up);

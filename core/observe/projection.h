@@ -15,7 +15,8 @@ typedef struct {
 typedef struct {
   double corner[3][2]; /* along right and up, from the centre of the view */
   double depth;        /* along toward; greater is nearer */
-  double value;        /* of the field, mean of the corners */
+  double values[3];    /* of the field at the corners */
+  double value;        /* their mean */
   double light; /* 0 (turned away from the light) .. 1; the light comes over the viewer's left shoulder */
   int order;    /* in the surface: settles ties of depth */
 } Piece;

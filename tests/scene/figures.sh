@@ -50,3 +50,18 @@ done
 figure fig17
 theory fig17/cases/damage=_law__fibre_bundle* 1e-5 1e-12
 theory fig17/cases/damage=_law__marigo*uniform* 1 0.046
+
+# Maps, of a coarse run: at the times asked for, from all sides, and nothing that is not there.
+"$capsella" run "$root/configs/paper/fig10.yaml" --quiet -o maps --set capsule.mesh.subdivisions=1 --set time.end=1 \
+  --set output.snapshot_every=0.5 --set output.report=false
+"$capsella" maps maps --at 0.4,1 --field d,Y,T1,T2,T2-,q.n --view shear,transverse,flow,reference -o maps.svg >log
+[ "$(grep -c '<text.*>t = \(0.5\|1\)<' maps.svg)" = 2 ] || fail "columns: $(grep '<text' maps.svg)"
+[ "$(grep -c 'stroke="#000"' maps.svg)" = 48 ] || fail "panels: $(grep -c 'stroke="#000"' maps.svg)"
+"$capsella" maps maps maps --range 0:0.2 >log
+[ -s maps/maps.svg ] || fail "$(cat log)"
+for mistake in '--field e' '--view back' '--range 1' '--at x' '--at' '--range 2:1'; do
+  code=0
+  # shellcheck disable=SC2086
+  "$capsella" maps maps $mistake >log 2>&1 || code=$?
+  [ $code = 2 ] || fail "maps $mistake: exit code $code: $(cat log)"
+done
