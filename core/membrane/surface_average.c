@@ -1,56 +1,102 @@
 #include "membrane/surface_average.h"
 
 #include "base/array.h"
+#include "membrane/point_cells.h"
 #include <math.h>
+#include <stdbool.h>
+#include <stdlib.h>
 
-/* Weight of point j and all its images in the mean at point i; 0 when none is near. */
-static double weight_of(const double *X, int i, int j, const Symmetry *symmetry, double length) {
-  double sum = 0;
-  for (int s = 0; s < symmetry->n_operations; s++) {
-    double r2 = 0;
-    for (int c = 0; c < 3; c++) {
-      const double distance = X[3 * i + c] - symmetry->operation[s].sign[c] * X[3 * j + c];
-      r2 += distance * distance;
-    }
-    const double w = fmax(1 - r2 / (length * length), 0);
-    sum += w * w;
+/* What a row is made from. */
+typedef struct {
+  const double *X; /* [n][3] */
+  const Symmetry *symmetry;
+  double length;
+  const PointCells *cells;
+} Neighbourhood;
+
+/* Weight of the image of point j under operation s in the mean at point i; 0 when it is not near. */
+static double weight_of_image(const Neighbourhood *near, int i, int j, int s) {
+  const double *sign = near->symmetry->operation[s].sign;
+  double r2 = 0;
+  for (int c = 0; c < 3; c++) {
+    const double distance = near->X[3 * i + c] - sign[c] * near->X[3 * j + c];
+    r2 += distance * distance;
   }
+  const double w = fmax(1 - r2 / (near->length * near->length), 0);
+  return w * w;
+}
+
+/* Of point j and all its images. */
+static double weight_of(const Neighbourhood *near, int i, int j) {
+  double sum = 0;
+  for (int s = 0; s < near->symmetry->n_operations; s++) sum += weight_of_image(near, i, j, s);
   return sum;
 }
 
-static size_t count_neighbours(const double *X, int n, int i, const Symmetry *symmetry, double length) {
+/* Whether s is the first operation whose image of point j is near point i. */
+static bool is_first(const Neighbourhood *near, int i, int j, int s) {
+  if (!(weight_of_image(near, i, j, s) > 0)) return false;
+  while (s-- > 0)
+    if (weight_of_image(near, i, j, s) > 0) return false;
+  return true;
+}
+
+/* The points whose images are near point i, each once, into `found` unless that is NULL: their number.  A
+ * point's image is as far from i as the point from the image of i, operations being their own inverses. */
+static size_t find_neighbours(const Neighbourhood *near, int i, int *found) {
   size_t count = 0;
-  for (int j = 0; j < n; j++) count += weight_of(X, i, j, symmetry, length) > 0;
+  PointRun run[POINT_RUNS];
+  for (int s = 0; s < near->symmetry->n_operations; s++) {
+    double image[3];
+    for (int c = 0; c < 3; c++) image[c] = near->symmetry->operation[s].sign[c] * near->X[3 * i + c];
+    const int n_runs = point_cells_near(near->cells, image, run);
+    for (int r = 0; r < n_runs; r++)
+      for (int k = run[r].begin; k < run[r].end; k++) {
+        const int j = near->cells->point[k];
+        if (!is_first(near, i, j, s)) continue;
+        if (found) found[count] = j;
+        count++;
+      }
+  }
   return count;
 }
 
-static void fill_row(SurfaceAverage *average, int i, const double *X, const double *dS0,
-                     const Symmetry *symmetry, double length) {
-  size_t k = average->start[i];
+static int by_number(const void *a, const void *b) {
+  const int i = *(const int *)a, j = *(const int *)b;
+  return (i > j) - (i < j);
+}
+
+/* By rising numbers, so that sums do not depend on the cells. */
+static void fill_row(SurfaceAverage *average, const Neighbourhood *near, int i, const double *dS0) {
+  const size_t begin = average->start[i], end = average->start[i + 1];
   double sum = 0;
-  for (int j = 0; j < average->n; j++) {
-    const double w = weight_of(X, i, j, symmetry, length) * dS0[j];
-    if (!(w > 0)) continue;
-    average->point[k] = j;
-    average->weight[k++] = w;
-    sum += w;
+  find_neighbours(near, i, average->point + begin);
+  qsort(average->point + begin, end - begin, sizeof *average->point, by_number);
+  for (size_t k = begin; k < end; k++) {
+    const int j = average->point[k];
+    average->weight[k] = weight_of(near, i, j) * dS0[j];
+    sum += average->weight[k];
   }
-  for (k = average->start[i]; k < average->start[i + 1]; k++) average->weight[k] /= sum;
+  for (size_t k = begin; k < end; k++) average->weight[k] /= sum;
 }
 
 Status surface_average_new(SurfaceAverage *average, int n, const double *X, const double *dS0,
                            const Symmetry *symmetry, double length, Error *error) {
   Status status = STATUS_OK;
+  PointCells cells = {0};
+  const Neighbourhood near = {.X = X, .symmetry = symmetry, .length = length, .cells = &cells};
   *average = (SurfaceAverage){.n = n};
   TRY(ARRAY_NEW(&average->start, n + 1, error));
+  TRY(point_cells_new(&cells, n, X, length, error));
 #pragma omp parallel for schedule(static)
-  for (int i = 0; i < n; i++) average->start[i + 1] = count_neighbours(X, n, i, symmetry, length);
+  for (int i = 0; i < n; i++) average->start[i + 1] = find_neighbours(&near, i, NULL);
   for (int i = 0; i < n; i++) average->start[i + 1] += average->start[i];
   TRY(ARRAY_NEW(&average->point, average->start[n], error));
   TRY(ARRAY_NEW(&average->weight, average->start[n], error));
 #pragma omp parallel for schedule(static)
-  for (int i = 0; i < n; i++) fill_row(average, i, X, dS0, symmetry, length);
+  for (int i = 0; i < n; i++) fill_row(average, &near, i, dS0);
 cleanup:
+  point_cells_free(&cells);
   if (status != STATUS_OK) surface_average_free(average);
   return status;
 }
