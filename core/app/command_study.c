@@ -22,6 +22,15 @@ static bool parse_count(const char *text, int *count) {
   return true;
 }
 
+/* "3/16". */
+static bool parse_part(const char *text, int *part, int *parts) {
+  char *slash;
+  const long value = strtol(text, &slash, 10);
+  if (*slash != '/' || !parse_count(slash + 1, parts) || value < 1 || value > *parts) return false;
+  *part = (int)value;
+  return true;
+}
+
 /* Fills in the options; -1 to go on, an exit code otherwise. */
 static int parse(int argc, char **argv, StudyOptions *options, bool *dry, const char **sets) {
   for (int i = 1; i < argc; i++) {
@@ -40,6 +49,10 @@ static int parse(int argc, char **argv, StudyOptions *options, bool *dry, const 
       if (!value) return refuse("--set needs KEY=VALUE", NULL);
       if (options->n_sets == MAX_SETS) return refuse("too many --set options", NULL);
       sets[options->n_sets++] = argv[++i];
+    } else if (strcmp(argument, "--part") == 0) {
+      if (!value || !parse_part(value, &options->part, &options->parts))
+        return refuse("--part needs I/N, such as 3/16", value);
+      i++;
     } else if (is_jobs || strcmp(argument, "--threads") == 0) {
       int *count = is_jobs ? &options->runner.jobs : &options->runner.threads;
       if (!value || !parse_count(value, count))
@@ -62,7 +75,7 @@ static int parse(int argc, char **argv, StudyOptions *options, bool *dry, const 
 static int check_alone(const StudyOptions *options) {
   Study study;
   Error error;
-  const Status status = study_read(&study, options->path, options->sets, options->n_sets, &error);
+  const Status status = study_open(options, &study, &error);
   if (status != STATUS_OK) {
     fprintf(stderr, "%s\n", error.text);
     return exit_code(status);

@@ -58,6 +58,8 @@ const HelpPage HELP_PAGES[] = {
                  {.flag = "--resume", .about = "take over the cases that DIR holds already"},
                  {.flag = "--set", .value = "KEY=VALUE", .kind = VALUE_SETTING, .repeats = true,
                   .about = "replace a value of the study's scene"},
+                 {.flag = "--part", .value = "I/N",
+                  .about = "the part I of N of the values of the first varied key, in DIR/part_I"},
                  {.flag = "--dry-run", .about = "check every combination, compute nothing"},
                  THREADS("threads of each case (default: 1)"),
                  QUIET},

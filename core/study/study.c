@@ -321,6 +321,27 @@ static void free_texts(char **texts, size_t n) {
   array_free(texts);
 }
 
+Status study_take_part(Study *study, int part, int parts, Error *error) {
+  if (study->n_axes == 0)
+    return error_set(error, STATUS_INPUT, "expected a study with `vary`, of which there can be parts");
+  Axis *axis = &study->axes[0];
+  const size_t n = axis->n, size = (size_t)parts;
+  if (size > n)
+    return error_set(
+        error, STATUS_INPUT,
+        "expected at most %zu parts, since the first key of `vary`, %s, has as many values, found %d", n,
+        axis->key, parts);
+  const size_t first = n * ((size_t)part - 1) / size, last = n * (size_t)part / size, kept = last - first;
+  for (size_t i = 0; i < n; i++)
+    if (i < first || i >= last) array_free(axis->texts[i]);
+  memmove(axis->texts, axis->texts + first, kept * sizeof *axis->texts);
+  memmove(axis->values, axis->values + first, kept * sizeof *axis->values);
+  memmove(axis->numbers, axis->numbers + first, kept * sizeof *axis->numbers);
+  axis->n = kept;
+  study->n_points = study->n_points / n * kept;
+  return STATUS_OK;
+}
+
 void study_free(Study *study) {
   for (size_t a = 0; a < study->n_axes; a++) {
     free_texts(study->axes[a].texts, study->axes[a].n);

@@ -60,6 +60,11 @@ struct Study {
 Status study_read(Study *study, const char *path, const char *const *sets, size_t n_sets, Error *error);
 void study_free(Study *study);
 
+/* One of several parts of a study that are computed apart: keeps the values of the first varied key that fall
+ * to part `part` of `parts`, counted from 1, in order, so that the tables of the parts make up the whole one.
+ * STATUS_INPUT when there are not that many values. */
+Status study_take_part(Study *study, int part, int parts, Error *error);
+
 /* The settings of point `index` of the outer product into settings [n_axes]; the last axis runs fastest. */
 void study_point(const Study *study, size_t index, Override *settings);
 

@@ -3,6 +3,7 @@
 #include "base/file.h"
 #include "base/timer.h"
 #include "study/study_page.h"
+#include <stdio.h>
 
 Status study_write(const StudyRun *run, const char *name, const Text *text, Error *error) {
   Text path = {0};
@@ -16,6 +17,8 @@ static Status find_folder(const StudyOptions *options, const Study *study, Text 
   Status status;
   TRY(options->folder ? text_append(folder, error, "%s", options->folder)
                       : text_append(folder, error, "results/%s", study->name));
+  if (options->parts > 0)
+    TRY(text_append(folder, error, "/part_%0*d", snprintf(NULL, 0, "%d", options->parts), options->part));
   TRY(file_make_folder(folder->data, error));
 cleanup:
   return status;
@@ -60,11 +63,19 @@ cleanup:
   return status;
 }
 
+Status study_open(const StudyOptions *options, Study *study, Error *error) {
+  Status status = study_read(study, options->path, options->sets, options->n_sets, error);
+  if (status != STATUS_OK || options->parts == 0) return status;
+  status = study_take_part(study, options->part, options->parts, error);
+  if (status != STATUS_OK) study_free(study);
+  return status;
+}
+
 Status study_run(const StudyOptions *options, Text *folder, StudyEnd *end, Error *error) {
   Status status = STATUS_OK;
   Study study = {0};
   *end = (StudyEnd){0};
-  TRY(study_read(&study, options->path, options->sets, options->n_sets, error));
+  TRY(study_open(options, &study, error));
   TRY(find_folder(options, &study, folder, error));
   TRY(work(options, &study, folder->data, end, error));
 cleanup:

@@ -10,6 +10,7 @@ typedef struct {
   const char *const *sets; /* of the base scene */
   size_t n_sets;
   const char *folder; /* NULL: results/NAME */
+  int part, parts;    /* of those that study_take_part tells apart, in FOLDER/part_N; 0: the whole */
   RunnerOptions runner;
 } StudyOptions;
 
@@ -26,6 +27,9 @@ typedef struct {
   bool interrupted;
   RunnerCount count;
 } StudyEnd;
+
+/* Reads the study, or the part of it that the options ask for: study_free. */
+Status study_open(const StudyOptions *options, Study *study, Error *error);
 
 /* Runs the study and writes its folder: scene.yaml, journal.txt, cases/, table.csv, summary.json and charts.
  * `folder` receives its path. */

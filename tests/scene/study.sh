@@ -51,6 +51,38 @@ wait $process
 [ $count -gt 1 ] || fail "the study was over before it could be killed"
 same one/table.csv killed/table.csv "the table after $count kills"
 
+# Parts make up the whole, as do the tasks of an array of Slurm.
+cat >three.yaml <<END
+schema: 1
+study: sweep
+scene:
+  schema: 1
+  capsule: {mesh: {subdivisions: 0}}
+  membrane: {law: neo_hookean}
+  flow: {kind: simple_shear}
+  time: {end: 0.2}
+vary:
+  flow.capillary_number: [0.5, 4.0, 0.3]
+  capsule.mesh.rotation.angle: [0, 0.1]
+END
+"$capsella" study three.yaml --quiet -o whole
+for part in 1 2; do "$capsella" study three.yaml --quiet -o parts --part $part/2; done
+awk 'NR == 1 || FNR > 1' parts/part_*/table.csv >joined.csv
+same joined.csv whole/table.csv "the tables of the parts"
+[ "$(wc -l <parts/part_1/table.csv)" = 3 ] && [ "$(wc -l <parts/part_2/table.csv)" = 5 ] || fail "share of the parts"
+for task in 1 2 3; do
+  SLURM_ARRAY_TASK_ID=$task SLURM_ARRAY_TASK_COUNT=3 SLURM_CPUS_PER_TASK=2 PATH="$(dirname "$capsella"):$PATH" \
+    sh "$root/configs/studies/slurm_array.sh" three.yaml array
+done
+awk 'NR == 1 || FNR > 1' array/part_*/table.csv >joined.csv
+same joined.csv whole/table.csv "the tables of the tasks"
+for wrong in 4/3 0/3 1 x/2 1/4; do
+  code=0
+  "$capsella" study three.yaml --part $wrong -o wrong 2>message || code=$?
+  [ $code = 2 ] && [ ! -e wrong ] || fail "--part $wrong: $code, $(cat message)"
+done
+grep -q 'at most 3 parts.*flow.capillary_number' message || fail "$(cat message)"
+
 # Interrupted, it says so and can go on.
 "$@" -o stopped --jobs 2 &
 process=$!

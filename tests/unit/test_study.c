@@ -50,6 +50,30 @@ START_TEST(lists_and_ranges_span_an_outer_product_whose_last_axis_runs_fastest) 
 }
 END_TEST
 
+/* 5 values in 3 parts: 1, 2 and 2 of them. */
+START_TEST(parts_share_the_values_of_the_first_key_in_order) {
+  static const double first[] = {0.1, 0.2, 0.4};
+  static const size_t count[] = {1, 2, 2};
+  Error error;
+  for (int part = 1; part <= 3; part++) {
+    Study study = must_read(SCENE "vary:\n"
+                                  "  flow.capillary_number: {from: 0.1, to: 0.5, count: 5}\n"
+                                  "  time.end: [1, 2]\n");
+    ck_assert_int_eq(study_take_part(&study, part, 3, &error), STATUS_OK);
+    ck_assert_uint_eq(study.n_points, 2 * count[part - 1]);
+    ck_assert_double_eq_tol(study.axes[0].numbers[0], first[part - 1], 1e-15);
+    Override settings[2];
+    study_point(&study, study.n_points - 1, settings);
+    ck_assert_str_eq(settings[1].value, "2");
+    ck_assert_int_eq(study_take_part(&study, 1, 3, &error), STATUS_INPUT);
+    study_free(&study);
+  }
+  Study study = must_read(SCENE);
+  ck_assert_int_eq(study_take_part(&study, 1, 1, &error), STATUS_INPUT);
+  study_free(&study);
+}
+END_TEST
+
 START_TEST(the_scene_of_a_point_is_what_set_makes_of_the_scene) {
   Study study = must_read(SCENE "vary: {membrane.damage.parameters.Y_D: [3]}\n");
   Override settings[1];
@@ -157,6 +181,7 @@ int main(void) {
   if (!scratch_make() || setenv("MLAW_PLUGIN_PATH", BUILD_DIR "/plugins", 1) != 0) return 1;
   const int code =
       suite_run("study", (SuiteTests){lists_and_ranges_span_an_outer_product_whose_last_axis_runs_fastest,
+                                      parts_share_the_values_of_the_first_key_in_order,
                                       the_scene_of_a_point_is_what_set_makes_of_the_scene,
                                       a_scene_by_path_is_taken_from_the_folder_of_the_study,
                                       the_settings_of_the_command_line_change_the_scene,
