@@ -41,7 +41,7 @@ static int parse(int argc, char **argv, RunOptions *options, const char **sets, 
       if (!value || !*value) return refuse("-o needs a folder", NULL);
       options->folder = argv[++i];
     } else if (strcmp(argument, "--set") == 0) {
-      if (!value) return refuse("--set needs KEY=VALUE", NULL);
+      if (!value || !strchr(value, '=')) return refuse("--set needs KEY=VALUE", value);
       if (options->n_sets == MAX_SETS) return refuse("too many --set options", NULL);
       sets[options->n_sets++] = argv[++i];
     } else if (strcmp(argument, "--threads") == 0) {

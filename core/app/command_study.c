@@ -46,7 +46,7 @@ static int parse(int argc, char **argv, StudyOptions *options, bool *dry, const 
       if (!value || !*value) return refuse("-o needs a folder", NULL);
       options->folder = argv[++i];
     } else if (strcmp(argument, "--set") == 0) {
-      if (!value) return refuse("--set needs KEY=VALUE", NULL);
+      if (!value || !strchr(value, '=')) return refuse("--set needs KEY=VALUE", value);
       if (options->n_sets == MAX_SETS) return refuse("too many --set options", NULL);
       sets[options->n_sets++] = argv[++i];
     } else if (strcmp(argument, "--part") == 0) {
@@ -87,6 +87,7 @@ static int check_alone(const StudyOptions *options) {
 }
 
 static void print_end(const char *folder, const StudyEnd *end) {
+  if (end->found.data) fputs(end->found.data, stdout);
   printf("%s: %ld cases", end->interrupted ? "interrupted" : "done", end->count.cases);
   if (end->count.failed > 0) printf(", %ld failed", end->count.failed);
   if (end->count.taken_over > 0) printf(", %ld known from before", end->count.taken_over);
@@ -100,6 +101,7 @@ static Status lead(const StudyOptions *options, Error *error) {
   if (status == STATUS_OK && !options->runner.quiet) print_end(folder.data, &end);
   if (status == STATUS_OK && end.count.cases > 0 && end.count.failed == end.count.cases)
     status = error_set(error, STATUS_FAILED, "all cases failed: see %s/table.csv", folder.data);
+  text_free(&end.found);
   text_free(&folder);
   return status;
 }

@@ -43,6 +43,8 @@ static int unknown_command(const char *name) {
   const char *nearest = help_nearest("", name);
   fprintf(stderr, "capsella: expected a command, found '%s'", name);
   if (nearest) fprintf(stderr, "; did you mean '%s'?", nearest);
+  if (strstr(name, ".yaml"))
+    fprintf(stderr, "; 'capsella run %s' runs a scene, 'capsella study' a study", name);
   fprintf(stderr, "\nTry: capsella --help\n");
   return EXIT_INPUT;
 }

@@ -24,6 +24,8 @@ static Status check_keys(const YamlNode *mapping, const char *prefix, Error *err
                         yaml_tree_found(node).text));
       TRY(text_append(&key, error, "."));
       TRY(check_keys(node, key.data, error));
+    } else if (strcmp(key.data, "study") == 0) {
+      TRY(place_error(&node->key_place, error, "expected a scene, found a study; `capsella study` runs it"));
     } else if (!schema_find(key.data)) {
       TRY(schema_suggest(key.data, &hint, error));
       TRY(place_error(&node->key_place, error, "expected a known key, found `%s`%s%s%s", key.data,

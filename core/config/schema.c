@@ -247,6 +247,14 @@ static const char *last_name(const char *key) {
   return dot ? dot + 1 : key;
 }
 
+/* Whether a sentence has "SYMBOL = ". */
+static bool defines(const char *sentence, const char *symbol) {
+  const size_t length = strlen(symbol);
+  for (const char *at = sentence; (at = strstr(at, symbol)); at++)
+    if ((at == sentence || at[-1] == ' ') && strncmp(at + length, " = ", 3) == 0) return true;
+  return false;
+}
+
 Status schema_suggest(const char *key, Text *suggestion, Error *error) {
   enum { LONGEST = 40 };
   char siblings[sizeof SCHEMA / sizeof *SCHEMA][LONGEST];
@@ -266,6 +274,8 @@ Status schema_suggest(const char *key, Text *suggestion, Error *error) {
   nearest = text_nearest(name, names, SCHEMA_ROWS);
   for (size_t i = 0; nearest && i < SCHEMA_ROWS; i++)
     if (names[i] == nearest) return text_append(suggestion, error, "%s", SCHEMA[i].key);
+  for (size_t i = 0; i < SCHEMA_ROWS; i++)
+    if (defines(SCHEMA[i].meaning, name)) return text_append(suggestion, error, "%s", SCHEMA[i].key);
   return STATUS_OK;
 }
 

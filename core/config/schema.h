@@ -66,7 +66,8 @@ const SchemaRow *schema_find(const char *key);
 bool schema_is_mapping(const char *key);
 
 /* The key that an unknown one was most likely meant to be, appended to `suggestion`: a neighbour with a
- * similar name, else a key of the same name elsewhere, else nothing. */
+ * similar name, else a key of the same name elsewhere, else one whose meaning defines it (Ca), else
+ * nothing. */
 Status schema_suggest(const char *key, Text *suggestion, Error *error);
 
 /* What a row expects, in words: "a number above 0". */

@@ -25,15 +25,32 @@ static SourcePlace place_of(const Reader *reader, yaml_mark_t mark) {
   return place;
 }
 
+/* What a message of the parser mostly means in a scene. */
+static const char *advice(const char *problem) {
+  static const char *const meanings[][2] = {
+      {"found character that cannot start any token", " (a tab? indent with blanks)"},
+      {"could not find expected ':'", " (`key: value` has a blank behind the colon)"},
+      {"mapping values are not allowed in this context",
+       " (a line above without its colon, one indented too far, or two colons?)"},
+      {"did not find expected key", " (is the line indented as its neighbours are?)"},
+      {"did not find expected ',' or '}'", " (`{a: 1, b: 2}` needs commas between and a brace at the end)"},
+      {"did not find expected ',' or ']'", " (`[1, 2]` needs commas between and a bracket at the end)"},
+  };
+  for (size_t k = 0; k < sizeof meanings / sizeof *meanings; k++)
+    if (strcmp(meanings[k][0], problem) == 0) return meanings[k][1];
+  return "";
+}
+
 static Status syntax_error(const Reader *reader, Error *error) {
   const yaml_parser_t *parser = &reader->parser;
   if (parser->error == YAML_MEMORY_ERROR)
     return error_set(error, STATUS_MEMORY, "out of memory: %s cannot be parsed", reader->file);
   SourcePlace place = place_of(reader, parser->problem_mark);
   const char *problem = parser->problem ? parser->problem : "something that cannot be parsed";
-  if (!parser->context) return place_error(&place, error, "expected YAML, found a mistake: %s", problem);
-  return place_error(&place, error, "expected YAML, found a mistake %s (from line %d): %s", parser->context,
-                     (int)parser->context_mark.line + 1, problem);
+  if (!parser->context)
+    return place_error(&place, error, "expected YAML, found a mistake: %s%s", problem, advice(problem));
+  return place_error(&place, error, "expected YAML, found a mistake %s (from line %d): %s%s", parser->context,
+                     (int)parser->context_mark.line + 1, problem, advice(problem));
 }
 
 /* Moves to the next event. */

@@ -258,6 +258,8 @@ static Status read_kind(Study *study, Error *error) {
   const char *names[16] = {NULL};
   int choice;
   for (size_t i = 0; STUDY_KINDS[i]; i++) names[i] = STUDY_KINDS[i]->name;
+  if (!yaml_tree_find(study->root, "study") && yaml_tree_find(study->root, "membrane"))
+    TRY(place_error(&study->root->place, error, "expected a study, found a scene; `capsella run` runs it"));
   TRY(entry_find(study->root, "study", "the kind of study", &node, error));
   TRY(entry_choice(node, "study", names, &choice, error));
   study->kind = STUDY_KINDS[choice];

@@ -44,7 +44,7 @@ static Status work(const StudyOptions *options, const Study *study, const char *
   Status status = STATUS_OK;
   Text text = {0};
   Json json;
-  StudyRun run = {.study = study, .folder = folder, .summary = &json};
+  StudyRun run = {.study = study, .folder = folder, .summary = &json, .found = &end->found};
   const double start = timer_wall_seconds();
   TRY(runner_new(&run.runner, study, folder, &options->runner, error));
   json_begin(&json, &text, error);
@@ -52,7 +52,8 @@ static Status work(const StudyOptions *options, const Study *study, const char *
   json_string(&json, "study", study->kind->name);
   json_string(&json, "name", study->name);
   TRY(study->kind->run(&run, error));
-  *end = (StudyEnd){.interrupted = runner_interrupted(run.runner), .count = runner_count(run.runner)};
+  end->interrupted = runner_interrupted(run.runner);
+  end->count = runner_count(run.runner);
   summarize(&json, end, timer_wall_seconds() - start);
   TRY(json_end(&json));
   TRY(study_write(&run, "summary.json", &text, error));

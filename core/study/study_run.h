@@ -21,11 +21,13 @@ struct StudyRun {
   Runner *runner;
   const char *folder;
   Json *summary;
+  Text *found; /* what was to be found, in lines for the reader of a terminal */
 };
 
 typedef struct {
   bool interrupted;
   RunnerCount count;
+  Text found; /* lines; freed by the caller, on failure too */
 } StudyEnd;
 
 /* Reads the study, or the part of it that the options ask for: study_free. */

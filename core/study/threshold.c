@@ -348,6 +348,29 @@ cleanup:
   return status;
 }
 
+/* The value of a single point, or of how many points there is none. */
+static Status tell(const Threshold *threshold, Error *error) {
+  Status status = STATUS_OK;
+  const size_t n = threshold->run->study->n_points;
+  Text *found = threshold->run->found;
+  for (size_t t = 0; t < threshold->plan.n_targets; t++) {
+    const char *name = threshold->plan.target[t].name;
+    const Answer first = answer_of(threshold, t, 0);
+    size_t missing = 0;
+    for (size_t p = 0; p < n; p++) missing += isnan(answer_of(threshold, t, p).value);
+    if (n > 1 && missing > 0)
+      TRY(text_append(found, error, "%s: none found at %zu of %zu points; %s_note in table.csv says why\n",
+                      name, missing, n, name));
+    if (n == 1 && missing == 0)
+      TRY(text_append(found, error, "%s = %g, between %g and %g\n", name, first.value, first.low,
+                      first.high));
+    if (n == 1 && missing > 0)
+      TRY(text_append(found, error, "%s: none found: %s\n", name, first.note ? first.note : "interrupted"));
+  }
+cleanup:
+  return status;
+}
+
 static Status find_thresholds(StudyRun *run, Error *error) {
   Status status = STATUS_OK;
   Threshold threshold;
@@ -355,6 +378,7 @@ static Status find_thresholds(StudyRun *run, Error *error) {
   TRY(search_all(&threshold, error));
   TRY(write_table(&threshold, error));
   summarize(&threshold);
+  TRY(tell(&threshold, error));
   TRY(draw(&threshold, error));
 cleanup:
   tear_down(&threshold);

@@ -29,10 +29,16 @@ async function checkSlider() {
 
 async function checkPlay() {
   await choose(one('#slider'), 0);
+  const states = JSON.parse(one('#data').textContent).surface.frames.map(({t}) => `t = ${Number(t.toPrecision(5))}`);
+  const isBetween = () => !states.includes(one('#time').textContent);
   await press(one('.play'));
-  await new Promise(resolve => setTimeout(resolve, 1000));
+  const begin = performance.now();
+  while (!isBetween() && performance.now() - begin < 5000) await frames(1);
+  check(isBetween(), 'playing fills in nothing between the states');
+  while (Number(one('#slider').value) === 0 && performance.now() - begin < 5000) await frames(1);
   check(Number(one('#slider').value) > 0, 'playing does not move the slider');
   if (one('.play').getAttribute('aria-label') === 'pause') await press(one('.play'));
+  check(!isBetween(), `what stands still is no state: ${one('#time').textContent}`);
   await choose(one('#slider'), one('#slider').max);
 }
 

@@ -86,6 +86,28 @@ grep -q 'none of its snapshots is whole.*without --resume' message || fail "cut-
 grep -q 'snapshot_000000.vtkhdf' message || fail "the damaged snapshot is not named: $(cat message)"
 [ -f cut/snapshot_000000.vtkhdf ] || fail "the damaged snapshot is gone"
 
+# What YAML refuses, with what it mostly means.
+edited 's/^  kind: simple_shear/\tkind: simple_shear/'
+refused 2 '^scene.yaml:13:1: .*a tab\? indent with blanks' scene.yaml
+edited 's/capillary_number: 0.7/capillary_number:0.7/'
+refused 2 '^scene.yaml:15:1: .*from line 14.*blank behind the colon' scene.yaml
+edited 's/law: marigo/law marigo/'
+refused 2 '^scene.yaml:11:15: .*a line above without its colon' scene.yaml
+edited 's/{Y_D: 0.2, Y_C: 2.0}/{Y_D: 0.2 Y_C: 2.0}/'
+refused 2 '^scene.yaml:11:30: .*commas between' scene.yaml
+
+# A symbol in the place of its key, and files and commands taken for others.
+edited 's/capillary_number:/Ca:/'
+refused 2 '^scene.yaml:14:3: .*`flow.Ca` \(did you mean `flow.capillary_number`' scene.yaml
+refused 2 '^.*fig16.yaml:4:1: expected a scene, found a study; `capsella study` runs it' "$root/configs/paper/fig16.yaml"
+code=0
+"$capsella" study "$good" 2>message || code=$?
+[ "$code" = 2 ] && grep -q 'expected a study, found a scene; `capsella run` runs it' message ||
+  fail "a scene taken for a study: $code $(cat message)"
+code=0
+"$capsella" "$good" 2>message || code=$?
+[ "$code" = 2 ] && grep -q "'capsella run $good' runs a scene" message || fail "a scene as command: $code $(cat message)"
+
 # Unknown option, subcommand, and a --set that is no KEY=VALUE.
 refused 2 'usage:' "$good" --fast
 refused 2 'set' "$good" --set nonsense

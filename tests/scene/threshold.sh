@@ -78,9 +78,12 @@ fi
 
 # Without a value inside the bracket a row says so.
 sed 's/bracket: .*/bracket: [0.2, 0.25]/; s/find: .*/find: [Ca_c, Ca_l]/' study.yaml >outside.yaml
-"$capsella" study outside.yaml --quiet -o outside
+"$capsella" study outside.yaml -o outside >told.txt 2>/dev/null
 grep -q 'damage does not begin inside the bracket' outside/table.csv || fail "$(cat outside/table.csv)"
 grep -q 'the condition holds nowhere in the bracket' outside/table.csv || fail "$(cat outside/table.csv)"
+for target in Ca_c Ca_l; do
+  grep -q "^$target: none found" told.txt || fail "the terminal is not told of $target: $(cat told.txt)"
+done
 
 # wrong EDIT WORDS
 wrong() {

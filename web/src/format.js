@@ -24,3 +24,14 @@ export function ticks([low, high], count = 5) {
   const first = Math.ceil(low / step - 1e-9);
   return Array.from({length: Math.floor(high / step + 1e-9) - first + 1}, (_, k) => Number(((first + k) * step).toPrecision(12)));
 }
+
+// Labels in a row, numbers first to last: 1–8, 10, largest d.
+export function listed(labels) {
+  const sorted = [...labels].map(String).sort((a, b) => a.localeCompare(b, 'en', {numeric: true})), runs = [];
+  for (const label of sorted) {
+    const run = runs.at(-1);
+    if (run && /^\d+$/.test(label) && Number(run.at(-1)) + 1 === Number(label)) run.push(label);
+    else runs.push([label]);
+  }
+  return runs.map(run => (run.length > 2 ? `${run[0]}–${run.at(-1)}` : run.join(', '))).join(', ');
+}

@@ -30,8 +30,9 @@ function isShared(groups, x, key) {
   return groups.every(group => line(group) === line(groups[0]));
 }
 
-function limit(to, rows, x, key, label, stroke, dash) {
-  const known = rows.filter(row => typeof row[key] === 'number' && typeof row[x.key] === 'number').sort((a, b) => a[x.key] - b[x.key]);
+const known = (rows, x, key) => rows.filter(row => typeof row[key] === 'number' && typeof row[x.key] === 'number').sort((a, b) => a[x.key] - b[x.key]);
+
+function limit(to, known, x, key, stroke, dash, label) {
   const line = s('path', {d: path(known.map(row => to(row[x.key], row[key]))), fill: 'none', stroke, 'stroke-width': 2, 'stroke-dasharray': dash});
   const points = known.map(row => {
     const value = row[key], error = row[`${key}_error`] ?? 0, [cx, cy] = to(row[x.key], value);
@@ -48,12 +49,21 @@ function limit(to, rows, x, key, label, stroke, dash) {
 export function limitsDiagram(groups, x, targets, yLabel) {
   const rows = groups.flatMap(group => group.rows), values = targets.flatMap(key => rows.map(row => row[key]));
   const {svg, to} = diagram({label: x.label, range: spread(rows.map(row => row[x.key]))}, {label: yLabel, range: spread([0, ...values])});
-  const entries = [];
+  const entries = [], ends = [];
   targets.forEach((key, k) => (isShared(groups, x, key) ? groups.slice(0, 1) : groups).forEach((group, g, shown) => {
     const stroke = curveColor(k), dash = DASHES[g % DASHES.length].join(' ');
     const label = group.label && shown.length > 1 ? `${key}, ${group.label}` : key;
-    svg.append(...limit(to, group.rows, x, key, label, stroke, dash));
+    const rows = known(group.rows, x, key);
+    svg.append(...limit(to, rows, x, key, stroke, dash, label));
+    if (rows.length) ends.push({label, at: to(rows.at(-1)[x.key], rows.at(-1)[key])});
     entries.push([s('path', {d: 'M-9 0H9', stroke, 'stroke-width': 2.5, 'stroke-dasharray': dash}), label]);
   }));
+  svg.append(...endLabels(ends));
   return h('div', {class: 'chart'}, svg, legend(entries));
+}
+
+// Names at the ends of lines: below the lowest, above the others.
+function endLabels(ends) {
+  const bottom = Math.max(...ends.map(({at}) => at[1]));
+  return ends.map(({label, at: [x, y]}) => s('text', {x, y: y === bottom && ends.length > 1 ? y + 22 : y - 9, 'text-anchor': 'end'}, label));
 }

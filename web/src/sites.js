@@ -2,7 +2,7 @@
 // capsule, by the angles to its own axes.
 import {cssColor, curveColor} from './colors.js';
 import {h} from './dom.js';
-import {format} from './format.js';
+import {listed} from './format.js';
 import {path, s} from './svg.js';
 
 const SIZE = 300, MIDDLE = SIZE / 2, RADIUS = 118, DEGREES = 180 / Math.PI;
@@ -52,7 +52,7 @@ function numbers(sites, place) {
   }
   return clusters.map(({at: [x, y], numbers}) => {
     const isRight = x > SIZE / 2 + 60;
-    return s('text', {x: isRight ? x - 9 : x + 9, y: y - 7, 'text-anchor': isRight ? 'end' : 'start'}, [...numbers].sort((a, b) => a - b).join(', '));
+    return s('text', {x: isRight ? x - 9 : x + 9, y: y - 7, 'text-anchor': isRight ? 'end' : 'start'}, listed(numbers));
   });
 }
 

@@ -158,7 +158,7 @@ function tableSection(results, onselect) {
 function costSection(summary) {
   const own = summary.this_process;
   if (!own) return null;
-  return section('Cost', h('p', {}, `${duration(own.wall_seconds)} with ${own.jobs} cases side by side; ${own.cases_taken_over} cases taken over, ${summary.shared_requests} requests shared.`));
+  return section('Cost', h('p', {}, `${duration(own.wall_seconds)} with ${own.jobs} ${own.jobs === 1 ? 'case at a time' : 'cases side by side'}; ${own.cases_taken_over} cases taken over, ${summary.shared_requests} requests shared.`));
 }
 
 // ---- the capsule, case by case ----

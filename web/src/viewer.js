@@ -1,7 +1,7 @@
 // The panel of the capsule: picture, colours, time, views.
 import {MAPS, PLAIN, colorAt, cssGradient, cssVariable, onTheme} from './colors.js';
 import {choice, h, toggle} from './dom.js';
-import {format, ticks} from './format.js';
+import {format, listed, ticks} from './format.js';
 import {Motion} from './motion.js';
 import {Scene3d} from './scene3d.js';
 import {Vector3} from 'three';
@@ -14,8 +14,6 @@ const toLinear = c => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4);
 function tintsOf(map) {
   return Array.from({length: TINTS}, (_, k) => colorAt(map, k / (TINTS - 1)).map(toLinear));
 }
-
-const byNumber = (a, b) => a.localeCompare(b, 'en', {numeric: true});
 
 // Labels that would lie over each other become one: [{at: {x, y}, labels}].
 function clusters(placed) {
@@ -35,16 +33,25 @@ export class Viewer {
     Object.assign(this, {model, flow, axis});
     this.motion = new Motion(model);
     this.marks = marks.map(mark => ({...mark, vertex: model.surface.nearest(mark.X)}));
-    const {fields} = model, wanted = fields.find(field => field.id === start.color);
-    this.field = wanted ?? (start.color === 'none' ? null : fields[0]);
-    this.map = MAPS[0];
-    this.isSameRange = true;
     this.frame = Math.min(Number(start.frame ?? model.frames.length - 1) || 0, model.frames.length - 1);
+    const {fields} = model, wanted = fields.find(field => field.id === start.color);
+    this.field = wanted ?? (start.color === 'none' ? null : this.tellingField());
+    this.map = MAPS[0];
+    this.isSameRange = !model.frames[0].label; // cases differ in size
     this.listeners = [];
     this.build();
     this.open3d();
     this.look(start.view ?? 'oblique');
     this.show(this.frame);
+  }
+
+  // The first that is not the same everywhere: a capsule without damage is coloured by what strains it.
+  tellingField() {
+    const {model} = this;
+    return model.fields.find(field => {
+      const [low, high] = model.bounds(field, this.frame);
+      return high > low;
+    }) ?? model.fields[0];
   }
 
   onframe(listener) {
@@ -73,7 +80,7 @@ export class Viewer {
           this.paint();
         }),
         choice('map', MAPS.map(name => [name, name]), this.map, name => (this.map = name, this.paint())),
-        choice('range', [['all', 'all states'], ['this', 'this state']], 'all', which => (this.isSameRange = which === 'all', this.paint())),
+        choice('range', [['all', 'all states'], ['this', 'this state']], this.isSameRange ? 'all' : 'this', which => (this.isSameRange = which === 'all', this.paint())),
         h('span', {class: 'buttons', role: 'group', 'aria-label': 'view'},
           views.map(([name, text]) => h('button', {onclick: () => this.look(name)}, text)))),
       this.picture,
@@ -244,7 +251,7 @@ export class Viewer {
     for (const pane of scene.panes) {
       const placed = shown.map(({vertex, label}) => ({label, at: scene.project(pane, pane.point(vertex))}));
       for (const {at, labels} of clusters(placed.filter(({at}) => at)))
-        this.labels.append(h('span', {class: 'mark', style: `left: ${at.x}px; top: ${at.y}px`}, [...labels].sort(byNumber).join(', ')));
+        this.labels.append(h('span', {class: 'mark', style: `left: ${at.x}px; top: ${at.y}px`}, listed(labels)));
     }
   }
 
