@@ -33,8 +33,8 @@ others="rankine:T_D=0.5:T_C=2 max_stretch:L_D=1.2:L_C=0.8 max_shear:S_D=0.3:S_C=
 
 elastic() { # law and capillary number; large deformation on coarse meshes may end in a folded element
   for law in $elastic_laws; do for Ca in 0.001 0.01 0.03 0.1 0.3 0.6 1 3 10; do for n in 1 2; do
-    case $n$Ca in 20.001 | 20.01 | 20.03) end=0.5 ;; *) end=2 ;; esac
-    line elastic sound "$usual" "membrane.law=$law flow.capillary_number=$Ca $(mesh $n) time.end=$end" "$finer"
+    case $n$Ca in 20.0*) continue ;; esac
+    line elastic sound "$usual" "membrane.law=$law flow.capillary_number=$Ca $(mesh $n)" "$finer"
   done; done; done
 }
 
@@ -48,13 +48,13 @@ damaging() {
 }
 
 tolerances() { # the bounds go with the tolerance
-  for integrator in rk2 rkc2; do for tolerance in 1e-2 1e-3 1e-4 1e-5 1e-6; do for Ca in 0.03 0.1 0.3 0.7 1.2; do for n in 1 2; do
-    case $n$tolerance in 21e-[56]) continue ;; 11e-6) against=2e-7 ;; *) against=1e-6 ;; esac
+  for integrator in rk2 rkc2; do for tolerance in 1e-2 1e-3 1e-4 1e-5 1e-6; do for Ca in 0.03 0.1 0.3 0.7 1.2; do
+    case $tolerance in 1e-6) against=2e-7 ;; *) against=1e-6 ;; esac
     bounds=$(awk -v tol=$tolerance 'BEGIN { print 30 * tol + 1e-7, 100 * tol + 1e-6, 100 * tol, 100 * tol + 1e-4 }')
     line tolerance sound "$bounds" \
-      "time.integrator=$integrator time.tolerance=$tolerance $(damage marigo Y_D=0.2 Y_C=2) flow.capillary_number=$Ca $(mesh $n)" \
+      "time.integrator=$integrator time.tolerance=$tolerance $(damage marigo Y_D=0.2 Y_C=2) flow.capillary_number=$Ca" \
       "time.integrator=rkc2 time.tolerance=$against"
-  done; done; done; done
+  done; done; done
 }
 
 # steps CA SUBDIVISIONS LIMIT: LIMIT is that of rk2, 2 over the spectral radius, as the program tells it.
@@ -99,17 +99,26 @@ brittle() { # damage runs from 0 to 1 at once, or nearly so
   done; done
 }
 
+# The two ends of the capsule may be ten times as far apart as at rest.
+drawn_out() {
+  for law in marigo:Y_D=0.2:Y_C=1 power:Y_D=0.2:Y_C=2:m=2; do for Ca in 0.3 0.8; do for n in 1 2; do
+    # shellcheck disable=SC2046
+    line capped sound "- - 0.01 -" \
+      "flow.kind=planar_hyperbolic $(damage $(echo "$law" | tr : ' ')) flow.capillary_number=$Ca $(mesh $n) stop.rupture=continue time.end=3" "$finer"
+  done; done; done
+}
+
 capped() { # below 1 the membrane never ruptures; past rupture and at d near 1 the mesh may fold
   for d_max in 0.9 0.99 0.999 1; do for Ca in 0.8 1.5 3; do for n in 1 2; do for stop in stop continue; do
-    line capped sound "- - 0.02 -" \
+    line capped sound "- - 0.01 -" \
       "$(damage marigo Y_D=0.2 Y_C=1) membrane.damage.d_max=$d_max flow.capillary_number=$Ca $(mesh $n) stop.rupture=$stop time.end=3.5" "$finer"
   done; done; done; done
 }
 
 extension() { # above the critical capillary number a capsule is drawn out without end
-  for flow in planar_hyperbolic uniaxial_extension; do for law in neo_hookean skalak hooke gent yeoh; do for Ca in 0.05 0.2 0.5 1 3; do for n in 1 2; do
-    line extension sound "$usual" "flow.kind=$flow membrane.law=$law flow.capillary_number=$Ca $(mesh $n) time.end=3" "$finer"
-  done; done; done; done
+  for flow in planar_hyperbolic uniaxial_extension; do for law in neo_hookean skalak hooke gent yeoh; do for Ca in 0.05 0.2 0.5 1 3; do
+    line extension sound "$usual" "flow.kind=$flow membrane.law=$law flow.capillary_number=$Ca time.end=3" "$finer"
+  done; done; done
 }
 
 # numbers COUNT SEED: pseudo-random numbers in [-1, 1), the same every time
@@ -119,18 +128,72 @@ numbers() {
   }'
 }
 
-# A mesh turned at random against the one that is not.  To t = 0.3 the difference is that of the quadrature.  Later,
-# where the membrane is compressed, wrinkles of the size of the elements grow from round-off (by a factor of 1e4 from
-# t = 0.3 to 1 on 1280 elements): without bending stiffness nothing but the mesh holds them, and shapes agree as far
-# as wrinkles matter to them.
-rotated() { # SUBDIVISIONS COUNT END
-  case $3 in 0.3) bound=1e-6 ;; *) bound=1e-3 ;; esac
+# A mesh turned at random against the one that is not.  Without bending stiffness nothing but the mesh holds a membrane
+# that is compressed: wrinkles of the size of the elements grow from the error of the quadrature, faster on finer meshes,
+# and shapes agree as far as wrinkles matter to them.  Early, and where an inflated start keeps all of the membrane tense,
+# the difference is that of the quadrature alone.
+rotated() { # SUBDIVISIONS COUNT END [AXIS]
+  case ${4:-}$3 in 0.3 | ?*1) bound=1e-6 ;; *) bound=1e-3 ;; esac
+  case ${4:-} in '') start="flow.capillary_number=0.5" ;; *) start="flow.capillary_number=0.3 start.axes=[$4,$4,$4]" ;; esac
   for turn in $(seq "$2"); do
     # shellcheck disable=SC2046
-    line rotated right "$bound - - 1e-2" "flow.capillary_number=0.5 $(mesh "$1") time.end=$3 $(
+    line rotated right "$bound - - 1e-2" "$start $(mesh "$1") time.end=$3 $(
       printf 'capsule.mesh.rotation.axis=[%s,%s,%s] capsule.mesh.rotation.angle=%s' $(numbers 4 "$1$turn"))" \
       "capsule.mesh.rotation.angle=0"
   done
+}
+
+# An irregular mesh against the regular one: apart by the error of the mesh, 2e-3 of D12 on 80 elements (against 320),
+# which falls as the third power of the size of the elements.
+jittered() { # SUBDIVISIONS COUNT
+  case $1 in 1) bound=4e-3 ;; 2) bound=1e-3 ;; esac
+  for seed in $(seq "$2"); do for jitter in 0.05 0.15 0.3; do
+    line jittered right "$bound - - 1e-2" \
+      "flow.capillary_number=0.5 $(mesh "$1") capsule.mesh.jitter=$jitter capsule.mesh.seed=$seed" capsule.mesh.jitter=0
+  done; done
+}
+
+noisy() { # shapes agree as far as the noise and the wrinkles that grow from it matter to them
+  for amplitude in 1e-12 1e-10 1e-8 1e-6 1e-5 1e-4 1e-3; do for Ca in 0.1 0.3 0.6 1; do for n in 1 2; do
+    line noise right "1e-3 - - 1e-2" "flow.capillary_number=$Ca $(mesh $n) start.noise=$amplitude" start.noise=0
+  done; done
+  line noise right "1e-3 1e-2 0.01 1e-2" "flow.capillary_number=0.7 $(damage marigo Y_D=0.2 Y_C=2) start.noise=$amplitude" start.noise=0
+  done
+}
+
+changing() { # flows that oscillate, come up, stop, turn round and beat
+  for Ca in 0.1 0.5 1.5; do
+    for period in 0.1 1 2 5 20; do for flow in simple_shear planar_hyperbolic; do
+      line changing sound "$usual" "flow.kind=$flow flow.capillary_number=$Ca flow.period=$period time.end=3" "$finer"
+    done; done
+    for strength in [[0,0],[2,1]] [[0,1],[1,1],[1.01,0]] [[0,1],[1,1],[1.01,-1]] [[0,1],[0.5,0],[1,1],[1.5,0],[2,1]] \
+      [[0,1],[1,1],[1.0001,3],[1.5,3],[1.5001,0]]; do for flow in simple_shear uniaxial_extension; do
+      line changing sound "$usual" "flow.kind=$flow flow.capillary_number=$Ca flow.strength=$strength time.end=3" "$finer"
+    done; done
+    line changing sound "$usual" "flow.capillary_number=$Ca flow.period=2 $(damage marigo Y_D=0.1 Y_C=1) time.end=3" "$finer"
+    line changing sound "$usual" "flow.capillary_number=$Ca flow.strength=[[0,2],[1,2],[1.01,0]] $(damage marigo Y_D=0.1 Y_C=1) time.end=3" "$finer"
+  done
+}
+
+# Starts: inflated, and ellipsoids, whose membrane is at rest as the sphere.  Deflated ones are compressed all over:
+# they wrinkle at once and each run in its own way.
+starting() {
+  for axes in 1.05,1.05,1.05 1.3,1.3,1.3 2,2,2 2,1,0.5 1,2,0.5 1.5,1.5,0.45 0.9,0.9,0.9 0.7,0.7,0.7 0.5,0.5,0.5 1,1,0.2; do
+    case $axes in 0.* | 1,1,*) bounds="- - - 1e-2" ;; *) bounds=$usual ;; esac
+    for strength in 0 1; do for n in 1 2; do
+      line start sound "$bounds" "start.axes=[$axes] flow.strength=[[0,$strength]] flow.capillary_number=0.3 $(mesh $n)" "$finer"
+    done; done
+    line start sound "- - 0.01 1e-2" "start.axes=[$axes] flow.capillary_number=0.5 $(damage marigo Y_D=0.2 Y_C=2)" "$finer"
+  done
+}
+
+# Discs and rods of the volume of the sphere, whose elements are up to a^3 = 51 times as long as wide.
+slender() {
+  for a in 1.5 2 2.5 3 3.7; do for shape in disc rod; do for n in 1 2; do
+    axes=$(awk -v a=$a -v shape=$shape 'BEGIN {
+      if (shape == "disc") printf "%.6g,%.6g,%.6g", a, a, 1 / (a * a); else printf "%.6g,%.6g,%.6g", a * a, 1 / a, 1 / a }')
+    line slender sound "1e-2 - - 1e-2" "start.axes=[$axes] flow.capillary_number=0.3 $(mesh $n) time.end=1" "$finer"
+  done; done; done
 }
 
 gradients() { # any linear flow: the last number makes the trace 0
@@ -169,7 +232,7 @@ scattered() { # strengths that differ from element to element
 
 long() {
   for Ca in 0.3 0.6; do
-    line long right "3e-3 - - 1e-3" "flow.capillary_number=$Ca $(mesh 2) time.end=200" "time.end=200 time.tolerance=3e-5"
+    line long right "3e-3 - - 1e-3" "flow.capillary_number=$Ca $(mesh 2) time.end=200" "time.tolerance=3e-5"
     line long right "3e-3 1e-2 - 1e-3" "flow.capillary_number=$Ca $(damage marigo Y_D=0.2 Y_C=2) time.end=200" "time.tolerance=3e-5"
   done
 }
@@ -183,7 +246,22 @@ large() { # finer meshes
 
 # The limits of rk2 at rest come from the program: cases.sh is called with them in the environment as "CA:N:LIMIT ...".
 {
-  elastic
+  long
+  large
+  rotated 3 20 1
+  rotated 3 20 1 1.1
+  rotated 3 5 0.3
+  rotated 1 20 2
+  rotated 2 10 2
+  brittle
+  capped
+  drawn_out
+  jittered 1 10
+  jittered 2 5
+  noisy
+  changing
+  starting
+  slender
   damaging
   tolerances
   for entry in $LIMITS; do
@@ -191,18 +269,10 @@ large() { # finer meshes
     steps $(echo "$entry" | tr : ' ')
   done
   fixed_rkc2
-  brittle
-  capped
+  elastic
   extension
-  rotated 1 20 2
-  rotated 2 10 0.3
-  rotated 2 20 2
-  gradients 60
+  gradients 40
   inflations
   equivalent
-  scattered 30
-  long
-  large
-  rotated 3 10 0.3
-  rotated 3 20 1
+  scattered 20
 } | if [ "$which" = quick ]; then awk '/subdivisions=[34]|end=200/ { next } NR % 25 == 7'; else cat; fi

@@ -47,7 +47,7 @@ function cause(text) {
 
 # How a run ended: end, ruptured, stopped (with its cause), refused; or what must not be.
 function outcome_of(name) {
-  if (code[name] == 124) return "HANG"
+  if (code[name] == 124 || code[name] == 137 || code[name] == 152) return "HANG" # out of time, or of processor time
   if (code[name] > 2) return "CRASH"
   if (code[name] == 2) return "refused"
   if (code[name] == 1) {

@@ -1,12 +1,17 @@
 #!/bin/sh
 # Runs the stress matrix and judges every case:  stress.sh CAPSELLA FOLDER quick|full [PAGE.md]
-# With GROUPS_OF_CASES in the environment, a regular expression, only those groups of cases.
+# With GROUPS_OF_CASES in the environment, a regular expression, only those groups of cases; WORKERS: runs side by side.
 # A case and the finer computation that it is compared with are two runs of the program, each with a limit of time.
 # Prints the table of outcomes; fails when a case ends otherwise than it may.  PAGE.md receives the table as a page.
+# Growth of noise is measured where there is a python3 with h5py.
 set -eu
 capsella=$1 folder=$2 which=$3 page=${4:-}
 here=$(cd "$(dirname "$0")" && pwd)
-seconds=600 # for one run: a hang, on a machine that has other things to do
+cpu_seconds=300 seconds=3000 # for one run: a hang, also on a machine that has other things to do
+python=
+for candidate in python3 /usr/bin/python3; do
+  "$candidate" -c 'import h5py' 2>/dev/null && python=$candidate && break
+done
 rm -rf "$folder"
 mkdir -p "$folder"
 cd "$folder"
@@ -21,7 +26,7 @@ run() {
     set -- "$@" --set "$(printf '%s' "$set" | tr '~' ' ')"
   done
   code=0
-  timeout "$seconds" "$capsella" run "$here/base.yaml" --quiet --threads 1 -o "$name" "$@" >"$name.said" 2>&1 </dev/null || code=$?
+  (ulimit -t "$cpu_seconds" && exec timeout "$seconds" "$capsella" run "$here/base.yaml" --quiet --threads 1 -o "$name" "$@" >"$name.said" 2>&1 </dev/null) || code=$?
   echo $code >"$name.code"
 }
 
@@ -56,7 +61,7 @@ judge() {
 }
 
 LIMITS=$(limits) sh "$here/cases.sh" "$which" | grep -E "^(${GROUPS_OF_CASES:-.*}) " >cases.txt
-workers=$(nproc)
+workers=${WORKERS:-$(nproc)}
 for worker in $(seq 0 $((workers - 1))); do
   judge "$worker" "$workers" &
 done
@@ -66,5 +71,8 @@ cat verdicts.* >verdicts
   echo "FAILED: $(wc -l <verdicts) verdicts on $(wc -l <cases.txt) cases" >&2
   exit 1
 }
-[ -z "$page" ] || awk -F' \\| ' -v version="$("$capsella" --version)" -f "$here/page.awk" verdicts >"$page"
+if [ -n "$page" ]; then
+  awk -F' \\| ' -v version="$("$capsella" --version)" -f "$here/page.awk" verdicts >"$page"
+  [ -z "$python" ] || "$python" "$here/growth.py" "$capsella" "$here/base.yaml" . >>"$page"
+fi
 awk -F' \\| ' -f "$here/table.awk" verdicts
