@@ -80,6 +80,10 @@ double membrane_damage_growth(const Membrane *membrane);
 /* Share of the reference area on which d [n_points] is above 0. */
 double membrane_damaged_area(const Membrane *membrane, const double *d);
 
+/* The same on which the membrane is compressed: the smaller principal tension T2 [n_points] is negative.
+ * There a membrane without bending stiffness wrinkles, at the scale of the mesh. */
+double membrane_compressed_area(const Membrane *membrane, const double *T2);
+
 /* Principal tensions T1 >= T2 of the damaged membrane at the integration points, [n_points] each (any may be
  * NULL). */
 void membrane_principal_tensions(const Membrane *membrane, double *T1, double *T2);

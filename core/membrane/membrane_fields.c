@@ -6,6 +6,9 @@
 #include <math.h>
 #include <string.h>
 
+/* Compression below this share of the shear modulus is round-off of a membrane at rest. */
+static const double SLIGHT_COMPRESSION = 1e-6;
+
 int membrane_points(const Membrane *m) {
   return m->n_points;
 }
@@ -53,13 +56,22 @@ double membrane_damage_growth(const Membrane *m) {
   return m->trial.d[membrane_largest(m, m->trial.d)] - m->accepted.d[membrane_largest(m, m->accepted.d)];
 }
 
-double membrane_damaged_area(const Membrane *m, const double *d) {
-  double area = 0, damaged = 0;
+/* Of the reference area, where sign * value is above a limit. */
+static double area_share(const Membrane *m, const double *value, double sign, double limit) {
+  double area = 0, inside = 0;
   for (int k = 0; k < m->n_points; k++) {
     area += m->weight[k];
-    if (d[k] > 0) damaged += m->weight[k];
+    if (sign * value[k] > limit) inside += m->weight[k];
   }
-  return damaged / area;
+  return inside / area;
+}
+
+double membrane_damaged_area(const Membrane *m, const double *d) {
+  return area_share(m, d, 1, 0);
+}
+
+double membrane_compressed_area(const Membrane *m, const double *T2) {
+  return area_share(m, T2, -1, SLIGHT_COMPRESSION * m->material->shear_modulus);
 }
 
 void membrane_principal_tensions(const Membrane *m, double *T1, double *T2) {

@@ -32,6 +32,7 @@ static const Column columns[] = {
     NUMBER(Y_max),
     NUMBER(T1_max),
     NUMBER(T2_min),
+    NUMBER(compressed_area),
     NUMBER(elastic_energy),
     NUMBER(dissipated_energy),
     NUMBER(energy_error),

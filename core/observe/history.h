@@ -18,6 +18,7 @@ typedef struct {
   double area_strain;                  /* (S - S0)/S0 */
   double volume_error;                 /* V/V0 - 1 */
   double d_max, Y_max, T1_max, T2_min; /* over the integration points */
+  double compressed_area;              /* share of the area at rest where T2 < 0 */
   double elastic_energy, dissipated_energy, energy_error;
   double step;           /* size of the last accepted step */
   long long evaluations; /* velocity evaluations so far */

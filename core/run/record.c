@@ -232,6 +232,7 @@ Status record_row(Record *record, HistoryRow *row, Shape *shape, Error *error) {
       .Y_max = largest_release_rate(record),
       .T1_max = T1_max / G,
       .T2_min = T2_min / G,
+      .compressed_area = membrane_compressed_area(s->membrane, record->T2),
       .elastic_energy = energy.stored,
       .dissipated_energy = energy.dissipated,
       .energy_error = energy_error(energy),

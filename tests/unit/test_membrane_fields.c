@@ -190,6 +190,30 @@ START_TEST(an_elastic_membrane_dissipates_nothing) {
 }
 END_TEST
 
+/* ---- areas ---- */
+
+START_TEST(the_compressed_area_is_the_share_of_the_sphere_where_T2_is_negative) {
+  Shell shell;
+  shell_open(&shell, 3);
+  const int n = membrane_points(shell.membrane);
+  double *T2 = zeros(n);
+  for (int k = 0; k < n; k++) T2[k] = k % 2 ? -1e-9 : 1e-9; /* round-off of a membrane at rest */
+  ck_assert_double_eq(membrane_compressed_area(shell.membrane, T2), 0);
+  for (int k = 0; k < n; k++) {
+    double X[3];
+    membrane_point_position(shell.membrane, k, shell.mesh.X, X);
+    T2[k] = 0.5 - X[2]; /* negative on the cap beyond z = 0.5, which is a quarter of the sphere */
+  }
+  /* 7680 points, of which those in a band of half a distance of points around a circle of 0.87 may be wrong
+   */
+  ck_assert_double_eq_tol(membrane_compressed_area(shell.membrane, T2), 0.25, 0.01);
+  for (int k = 0; k < n; k++) T2[k] = -1;
+  ck_assert_double_eq_tol(membrane_compressed_area(shell.membrane, T2), 1, 1e-12);
+  free(T2);
+  shell_close(&shell);
+}
+END_TEST
+
 /* ---- channels of a general damage law ---- */
 
 enum { TIME = 2 * MLAW_N_CHANNELS };
@@ -293,6 +317,7 @@ int main(void) {
                    area_weights_integrate_over_the_reference_and_over_the_current_surface,
                    the_energy_of_the_inflated_sphere_is_its_area_times_the_density,
                    dissipation_is_the_area_under_the_threshold, an_elastic_membrane_dissipates_nothing,
+                   the_compressed_area_is_the_share_of_the_sphere_where_T2_is_negative,
                    a_general_law_is_handed_the_undamaged_state_at_both_ends_of_the_step,
                    channels_that_nobody_asked_for_are_not_handed_over,
                    a_law_that_fails_is_named_with_its_element, NULL});
