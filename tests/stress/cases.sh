@@ -32,15 +32,14 @@ others="rankine:T_D=0.5:T_C=2 max_stretch:L_D=1.2:L_C=0.8 max_shear:S_D=0.3:S_C=
   thinning:eta_D=0.1:eta_C=0.5 creep:T_R=1:tau=2 delay:Y_D=0.2:Y_C=1:tau_c=0.5 fatigue:T_E=0.2:T_F=3"
 
 elastic() { # law and capillary number; large deformation on coarse meshes may end in a folded element
-  for law in $elastic_laws; do for Ca in 0.001 0.01 0.03 0.1 0.3 0.6 1 3 10; do for n in 1 2; do
-    case $n$Ca in 20.0*) continue ;; esac
-    line elastic sound "$usual" "membrane.law=$law flow.capillary_number=$Ca $(mesh $n)" "$finer"
-  done; done; done
+  for law in $elastic_laws; do for Ca in 0.001 0.01 0.03 0.1 0.3 0.6 1 3 10; do
+    line elastic sound "$usual" "membrane.law=$law flow.capillary_number=$Ca" "$finer"
+  done; done
 }
 
 damaging() {
   for spec in $associated $others; do for law in neo_hookean skalak; do for Ca in 0.2 0.4 0.6 0.8 1.5; do for n in 1 2; do
-    [ "$n$law" != 2skalak ] || continue
+    case $n$law$Ca in 2skalak* | 2*0.[248]) continue ;; esac
     # shellcheck disable=SC2046
     line damage sound "$usual" \
       "membrane.law=$law $(damage $(echo "$spec" | tr : ' ')) flow.capillary_number=$Ca $(mesh $n) time.end=3" "$finer"
@@ -181,6 +180,7 @@ starting() {
   for axes in 1.05,1.05,1.05 1.3,1.3,1.3 2,2,2 2,1,0.5 1,2,0.5 1.5,1.5,0.45 0.9,0.9,0.9 0.7,0.7,0.7 0.5,0.5,0.5 1,1,0.2; do
     case $axes in 0.* | 1,1,*) bounds="- - - 1e-2" ;; *) bounds=$usual ;; esac
     for strength in 0 1; do for n in 1 2; do
+      [ "$strength$n" != 02 ] || continue
       line start sound "$bounds" "start.axes=[$axes] flow.strength=[[0,$strength]] flow.capillary_number=0.3 $(mesh $n)" "$finer"
     done; done
     line start sound "- - 0.01 1e-2" "start.axes=[$axes] flow.capillary_number=0.5 $(damage marigo Y_D=0.2 Y_C=2)" "$finer"

@@ -40,30 +40,48 @@ limits() {
   done; done
 }
 
-# judge FIRST EVERY: the cases of one worker
+# Settings without those that later ones replace: the same for the same run.
+settled() {
+  for set; do echo "$set"; done | awk -F= '{ if (!($1 in value)) key[++n] = $1; value[$1] = $0 }
+    END { for (i = 1; i <= n; i++) print value[key[i]] }'
+}
+
+# finer KEY=VALUE...: $b becomes the name of the run with these settings, which many cases may share.
+finer() {
+  b=finer$(settled "$@" | LC_ALL=C sort | cksum | tr ' ' _)
+  [ ! -f "$b.code" ] || return 0
+  # shellcheck disable=SC2046
+  run "part$id" $(settled "$@")
+  find "part$id" -type f ! -name summary.json -delete 2>/dev/null || true
+  rm -rf "$b"
+  [ ! -d "part$id" ] || mv "part$id" "$b"
+  mv "part$id.said" "$b.said"
+  mv "part$id.code" "$b.code"
+}
+
+# judge WORKER: cases that no other has claimed
 judge() {
   set -f # the values of settings are no patterns
-  awk -v first="$1" -v every="$2" 'NR % every == first { print NR " | " $0 }' cases.txt |
+  awk '{ print NR " | " $0 }' cases.txt |
     while IFS='|' read -r id group expected bounds sets finer; do
-      a="case$(echo $id)" b="finer$(echo $id)"
+      id=$(echo $id) b=none
+      mkdir "claim$id" 2>/dev/null || continue
       # shellcheck disable=SC2086
-      run "$a" $sets
+      run "case$id" $sets
       case $expected in
-      *right* | *sound*)
-        # shellcheck disable=SC2086
-        run "$b" $sets $finer
-        ;;
+      # shellcheck disable=SC2086
+      *right* | *sound*) finer $sets $finer ;;
       esac
-      awk -v id="$(echo $id)" -v group="$group" -v expected="$expected" -v bounds="$bounds" -v sets="$sets" \
-        -v a="$a" -v b="$b" -f "$here/judge.awk" >>"verdicts.$1"
-      rm -rf "$a" "$b" "$a.said" "$b.said" "$a.code" "$b.code"
+      awk -v id="$id" -v group="$group" -v expected="$expected" -v bounds="$bounds" -v sets="$sets" \
+        -v a="case$id" -v b="$b" -f "$here/judge.awk" >>"verdicts.$1"
+      rm -rf "case$id" "case$id.said" "case$id.code"
     done
 }
 
 LIMITS=$(limits) sh "$here/cases.sh" "$which" | grep -E "^(${GROUPS_OF_CASES:-.*}) " >cases.txt
 workers=${WORKERS:-$(nproc)}
-for worker in $(seq 0 $((workers - 1))); do
-  judge "$worker" "$workers" &
+for worker in $(seq "$workers"); do
+  judge "$worker" &
 done
 wait
 cat verdicts.* >verdicts
