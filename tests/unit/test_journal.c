@@ -2,6 +2,7 @@
 #include "scratch.h"
 #include "study/journal.h"
 #include "suite.h"
+#include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -90,12 +91,31 @@ START_TEST(an_emptied_journal_knows_nothing) {
 }
 END_TEST
 
+START_TEST(a_journal_that_cannot_be_opened_written_or_emptied_says_so) {
+  Journal journal;
+  Error error;
+  ck_assert_int_eq(journal_open(&journal, scratch_path("none"), &error), STATUS_IO);
+  ck_assert_ptr_nonnull(strstr(error.text, "none/journal.txt: cannot be opened: "));
+  journal_close(&journal);
+  scratch_empty();
+  journal = reopened();
+  close(journal.handle);
+  journal.handle = open(scratch_path("journal.txt"), O_RDONLY);
+  ck_assert_int_eq(journal_add(&journal, JOURNAL_STARTED, "a", 1, NULL, &error), STATUS_IO);
+  ck_assert_ptr_nonnull(strstr(error.text, "the journal cannot be written: "));
+  ck_assert_int_eq(journal_empty(&journal, &error), STATUS_IO);
+  ck_assert_ptr_nonnull(strstr(error.text, "the journal cannot be emptied: "));
+  journal_close(&journal);
+}
+END_TEST
+
 int main(void) {
   if (!scratch_make()) return 1;
-  const int code = suite_run(
-      "journal", (SuiteTests){the_last_line_about_a_case_counts,
-                              a_line_cut_off_by_a_crash_is_dropped_and_the_next_one_stands_alone,
-                              a_second_process_cannot_open_it, an_emptied_journal_knows_nothing, NULL});
+  const int code =
+      suite_run("journal", (SuiteTests){the_last_line_about_a_case_counts,
+                                        a_line_cut_off_by_a_crash_is_dropped_and_the_next_one_stands_alone,
+                                        a_second_process_cannot_open_it, an_emptied_journal_knows_nothing,
+                                        a_journal_that_cannot_be_opened_written_or_emptied_says_so, NULL});
   scratch_remove();
   return code;
 }
