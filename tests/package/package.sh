@@ -14,8 +14,11 @@ fail() {
 complete() {
   for file in bin/capsella share/man/man1/capsella-run.1 share/bash-completion/completions/capsella \
     share/zsh/site-functions/_capsella share/capsella/schema/scene.schema.json include/mlaw/mlaw.h \
-    share/doc/capsella/LICENSE share/doc/capsella/NOTICE; do
+    include/capsella.h share/doc/capsella/LICENSE share/doc/capsella/NOTICE; do
     [ -f "$1/$file" ] || [ -f "$1/$file.gz" ] || fail "$file is missing below $1"
+  done
+  for file in libcapsella.so.1 libcapsella.a pkgconfig/capsella.pc cmake/Capsella/CapsellaConfig.cmake; do
+    [ -n "$(find "$1" -path "*/$file")" ] || fail "$file is missing below $1"
   done
   "$1/bin/capsella" laws list >"$packages/laws.txt"
   grep -q "$1/lib.*/capsella/plugins/marigo.so" "$packages/laws.txt" ||
@@ -37,5 +40,6 @@ complete "$packages/debian/usr"
 for library in libc6 libyaml-0-2 libhdf5 libgomp1; do
   dpkg-deb -f "$packages"/*.deb Depends | grep -q "$library" || fail "the Debian package does not ask for $library"
 done
+dpkg-deb -I "$packages"/*.deb | grep -q shlibs || fail "the Debian package does not tell of its shared library"
 if command -v lintian >/dev/null 2>&1; then lintian "$packages"/*.deb || true; fi
 ls -l "$packages"/*.deb "$packages"/*.tar.gz
