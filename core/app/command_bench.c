@@ -3,6 +3,7 @@
 #include "app/help.h"
 #include "base/file.h"
 #include "benchmark/benchmark_page.h"
+#include "observe/countdown.h"
 #include <mlaw/mlaw.h>
 #include <stdio.h>
 #include <string.h>
@@ -10,8 +11,13 @@
 /* plugins/constitutive/neo_hookean.c, linked in for comparison under this name. */
 const mlaw_plugin *compiled_in_plugin(uint32_t host_minor);
 
-static void show(const char *line) {
-  fprintf(stderr, "capsella bench: %s\n", line);
+/* One line with the time left on a terminal, a line for each measurement elsewhere. */
+static void show(void *context, const char *line, double share) {
+  Countdown *countdown = context;
+  if (countdown->stream)
+    countdown_show(countdown, share, 1, line);
+  else
+    fprintf(stderr, "capsella bench: %s\n", line);
 }
 
 static Status write_text(const char *folder, const char *name, const Text *text, Error *error) {
@@ -28,13 +34,17 @@ cleanup:
 static Status bench(bool full, const char *folder, Error *error) {
   Status status;
   BenchmarkPage page = {0};
+  Countdown countdown;
   const BenchmarkOptions options = {.full = full,
                                     .folder = folder,
                                     .program = "/proc/self/exe",
                                     .compiled_in = compiled_in_plugin(MLAW_ABI_MINOR)->energy[0],
-                                    .progress = show};
+                                    .progress = {show, &countdown}};
   TRY(file_make_folder(folder, error));
-  TRY(benchmark_page(&options, &page, error));
+  countdown_start(&countdown, stderr);
+  status = benchmark_page(&options, &page, error);
+  countdown_clear(&countdown);
+  if (status != STATUS_OK) goto cleanup;
   for (int k = 0; k < BENCHMARK_PICTURES; k++)
     TRY(write_text(folder, benchmark_picture_names[k], &page.picture[k], error));
   TRY(write_text(folder, "benchmarks.md", &page.markdown, error));

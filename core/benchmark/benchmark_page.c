@@ -19,8 +19,32 @@ static const char *const titles[N_CASES] = {
     [DAMAGE] = "Ca = 0.7 with damage, at t = 10",
 };
 
-void bench_tell(const Bench *bench, const char *line) {
-  if (bench->options->progress) bench->options->progress(line);
+/* ---- time left ---- */
+
+/* About how long the parts took, without and with `full`, when docs/benchmarks.md was written. */
+static const double part_seconds[N_PARTS][2] = {
+    [PAPER] = {19, 94},  [GRID_ELASTIC] = {42, 245}, [GRID_DAMAGE] = {46, 285}, [PRESETS] = {8, 45},
+    [FIGURES] = {8, 42}, [RATIOS] = {9, 42},         [COSTS] = {6, 30}};
+
+/* The share of all that has passed when `share` of the part under way has. */
+static double share_of_all(const Bench *bench, double share) {
+  const int column = bench->options->full;
+  double passed = share * part_seconds[bench->part][column], all = 0;
+  for (int k = 0; k < N_PARTS; k++) {
+    if (k < (int)bench->part) passed += part_seconds[k][column];
+    all += part_seconds[k][column];
+  }
+  return passed / all;
+}
+
+static void tell_part(void *context, const char *line, double share) {
+  const Bench *bench = context;
+  const WorkProgress *progress = &bench->options->progress;
+  if (progress->tell) progress->tell(progress->context, line, share_of_all(bench, share));
+}
+
+void bench_tell(Bench *bench, const char *line) {
+  tell_part(bench, line, 0);
 }
 
 Status bench_say(Bench *bench, const char *what) {
@@ -33,8 +57,9 @@ Status bench_say(Bench *bench, const char *what) {
 static Status bench_case(Bench *bench, int k, Text *picture) {
   Status status;
   WorkPrecision *work = &bench->work[k];
-  TRY(work_precision(&cases[k], bench->options->full, BENCHMARK_THREADS, bench->options->progress, work,
-                     bench->error));
+  bench->part = k == ELASTIC ? GRID_ELASTIC : GRID_DAMAGE;
+  TRY(work_precision(&cases[k], bench->options->full, BENCHMARK_THREADS, (WorkProgress){tell_part, bench},
+                     work, bench->error));
   TRY(text_append(bench->page, bench->error, "\n### %s\n\n![Run time against error](%s)\n\n", titles[k],
                   benchmark_picture_names[k]));
   TRY(work_print_picture(work, titles[k], k == DAMAGE && bench->options->full ? &bench->paper : NULL, picture,
@@ -185,9 +210,13 @@ Status benchmark_page(const BenchmarkOptions *options, BenchmarkPage *page, Erro
                   1e-9 * bench->kernel_rate));
   TRY(run_paper(bench));
   TRY(bench_choices(bench, page));
+  bench->part = PRESETS;
   TRY(bench_presets(bench));
+  bench->part = FIGURES;
   TRY(bench_figures(bench));
+  bench->part = RATIOS;
   TRY(bench_paper(bench));
+  bench->part = COSTS;
   TRY(bench_evaluation(bench));
   TRY(bench_growth(bench));
   TRY(bench_law(bench));

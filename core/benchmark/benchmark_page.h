@@ -4,6 +4,7 @@
 
 #include "base/status.h"
 #include "base/text.h"
+#include "benchmark/work_precision.h"
 #include <mlaw/mlaw.h>
 #include <stdbool.h>
 
@@ -12,7 +13,7 @@ typedef struct {
   const char *folder;             /* exists; runs of whole programs leave their results in it for a while */
   const char *program;            /* path of the program itself, to measure its start */
   const mlaw_energy *compiled_in; /* the elastic law of the reference case, linked into the program */
-  void (*progress)(const char *line); /* told what is measured next; may be NULL */
+  WorkProgress progress;          /* told what is measured next */
 } BenchmarkOptions;
 
 enum { BENCHMARK_PICTURES = 2 };

@@ -9,17 +9,20 @@
 enum { ELASTIC, DAMAGE, N_CASES = BENCHMARK_PICTURES };
 enum { BENCHMARK_THREADS = 2 };
 
+typedef enum { PAPER, GRID_ELASTIC, GRID_DAMAGE, PRESETS, FIGURES, RATIOS, COSTS, N_PARTS } BenchPart;
+
 typedef struct {
   const BenchmarkOptions *options;
   Text *page;
   Error *error;
+  BenchPart part; /* under way */
   double kernel_rate;
   WorkPrecision work[N_CASES];
   RunCost paper; /* the paper's algorithm on the case with damage */
 } Bench;
 
 /* Names what is measured next to who waits for it. */
-void bench_tell(const Bench *bench, const char *line);
+void bench_tell(Bench *bench, const char *line);
 /* The same, as the title of a section. */
 Status bench_say(Bench *bench, const char *what);
 

@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 static const double PI = 3.14159265358979323846;
@@ -48,10 +49,28 @@ static int build_grid(bool full, WorkPoint *points) {
   return n;
 }
 
-static Status run_point(const WorkCase *work, int threads, void (*progress)(const char *), WorkPoint *point,
-                        Error *error) {
+/* Powers read off the table: of the number of elements, of the digits asked for, and what a dear method or
+ * integrator costs on top of that. */
+double work_expected_seconds(const WorkKnobs *knobs) {
+  const double size = pow(4, knobs->subdivisions - 3), digits = -log10(strtod(knobs->tolerance, NULL));
+  double seconds = 0.5 * pow(size, 1.3) * pow(1.6, digits - 2);
+  if (strcmp(knobs->integrator, RK2) == 0) seconds *= 6 * sqrt(size);
+  if (strcmp(knobs->method, DIRECT) == 0) seconds *= 4 * pow(size, 0.6);
+  if (strcmp(knobs->method, REFERENCE) == 0) seconds *= 1.5;
+  return seconds;
+}
+
+static void tell(const WorkCase *work, const WorkKnobs *knobs, WorkProgress progress, double share) {
+  char line[160];
+  if (!progress.tell) return;
+  snprintf(line, sizeof line, "%s: %d elements, %s, %s %s", work->label, 20 << 2 * knobs->subdivisions,
+           knobs->method, knobs->integrator, knobs->tolerance);
+  progress.tell(progress.context, line, share);
+}
+
+static Status run_point(const WorkCase *work, int threads, WorkPoint *point, Error *error) {
   const WorkKnobs *knobs = &point->knobs;
-  char mesh[40], method[40], integrator[40], tolerance[40], line[160];
+  char mesh[40], method[40], integrator[40], tolerance[40];
   const char *sets[16];
   size_t n = 0;
   snprintf(mesh, sizeof mesh, "capsule.mesh.subdivisions=%d", knobs->subdivisions);
@@ -64,9 +83,6 @@ static Status run_point(const WorkCase *work, int threads, void (*progress)(cons
   sets[n++] = integrator;
   sets[n++] = tolerance;
   sets[n] = NULL;
-  snprintf(line, sizeof line, "%s: %d elements, %s, %s %s", work->label, 20 << 2 * knobs->subdivisions,
-           knobs->method, knobs->integrator, knobs->tolerance);
-  if (progress) progress(line);
   point->run = (RunCost){.sets = sets, .times = work->times, .n_times = work->n_times, .threads = threads};
   const Status status = benchmark_run(&point->run, error);
   point->run.sets = NULL; /* gone with this call */
@@ -146,13 +162,20 @@ double work_exponent(int n, const double *x, const double *y) {
   return n < 2 ? NAN : xy / xx;
 }
 
-Status work_precision(const WorkCase *work, bool full, int threads, void (*progress)(const char *line),
+Status work_precision(const WorkCase *work, bool full, int threads, WorkProgress progress,
                       WorkPrecision *result, Error *error) {
-  Status status = STATUS_OK;
+  Status status;
   *result = (WorkPrecision){.reference = {.knobs = {full ? 5 : 4, FAST, RKC2, "1e-5"}}};
   result->n = build_grid(full, result->point);
-  TRY(run_point(work, threads, progress, &result->reference, error));
-  for (int k = 0; k < result->n; k++) TRY(run_point(work, threads, progress, &result->point[k], error));
+  double expected = work_expected_seconds(&result->reference.knobs), passed = expected;
+  for (int k = 0; k < result->n; k++) expected += work_expected_seconds(&result->point[k].knobs);
+  tell(work, &result->reference.knobs, progress, 0);
+  TRY(run_point(work, threads, &result->reference, error));
+  for (int k = 0; k < result->n; k++) {
+    tell(work, &result->point[k].knobs, progress, passed / expected);
+    TRY(run_point(work, threads, &result->point[k], error));
+    passed += work_expected_seconds(&result->point[k].knobs);
+  }
   for (int k = 0; k < result->n; k++) split_error(result, &result->point[k]);
   work_mark_front(result->point, result->n);
 cleanup:

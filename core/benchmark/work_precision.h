@@ -46,9 +46,19 @@ typedef struct {
   WorkPoint reference; /* on the finest mesh */
 } WorkPrecision;
 
+/* About how long a run of the reference case with these knobs takes, from the table in docs/benchmarks.md:
+ * only ratios matter, for the time left. */
+double work_expected_seconds(const WorkKnobs *knobs);
+
+/* Told before each run what it is and which share of the expected seconds has passed. */
+typedef struct {
+  void (*tell)(void *context, const char *line, double share); /* may be NULL */
+  void *context;
+} WorkProgress;
+
 /* Runs the grid: meshes up to 5120 elements against 20480; without `full`, up to 1280 against 5120 and fewer
- * points.  `progress` (may be NULL) is told each run. */
-Status work_precision(const WorkCase *work, bool full, int threads, void (*progress)(const char *line),
+ * points. */
+Status work_precision(const WorkCase *work, bool full, int threads, WorkProgress progress,
                       WorkPrecision *result, Error *error);
 
 /* An error as it counts: no less than the largest part, since parts that happen to cancel are no merit. */

@@ -7,9 +7,9 @@
 static const double REDRAW_SECONDS = 0.1;
 
 void countdown_start(Countdown *countdown, FILE *stream) {
-  const double now = timer_wall_seconds();
-  *countdown =
-      (Countdown){.stream = isatty(fileno(stream)) ? stream : NULL, .started = now, .last_drawn = now};
+  *countdown = (Countdown){.stream = isatty(fileno(stream)) ? stream : NULL,
+                           .started = timer_wall_seconds(),
+                           .last_drawn = -HUGE_VAL};
 }
 
 void countdown_show(Countdown *countdown, double done, double total, const char *what) {

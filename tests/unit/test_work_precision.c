@@ -3,6 +3,7 @@
 
 #include "suite.h"
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 /* Points of given cost and error, without runs. */
@@ -78,10 +79,57 @@ START_TEST(the_exponent_of_a_power_law_is_found) {
 }
 END_TEST
 
+typedef struct {
+  char method[16], integrator[8], tolerance[8];
+  double measured, expected;
+} Timed;
+
+/* The points of the tables in docs/benchmarks.md, with what is expected of each. */
+static int read_table(Timed *timed, int capacity) {
+  char line[512];
+  int n = 0, elements;
+  FILE *page = fopen(SOURCE_DIR "/docs/benchmarks.md", "r");
+  ck_assert_ptr_nonnull(page);
+  while (n < capacity && fgets(line, sizeof line, page)) {
+    Timed *t = &timed[n];
+    if (sscanf(line, "| %d | %15s | %7s %7s | %*f | %lf | %*d | %*f", &elements, t->method, t->integrator,
+               t->tolerance, &t->measured) != 5)
+      continue;
+    const int subdivisions = (int)lround(log2(elements / 20) / 2);
+    t->expected = work_expected_seconds(&(WorkKnobs){subdivisions, t->method, t->integrator, t->tolerance});
+    n++;
+  }
+  fclose(page);
+  return n;
+}
+
+/* Another machine has other seconds, but much the same ratios; runs below a second are repeated, and matter
+ * little to the time left. */
+START_TEST(expected_seconds_follow_those_of_the_page_within_a_factor_of_four) {
+  Timed timed[WORK_POINTS * 2 + 2];
+  const int n = read_table(timed, WORK_POINTS * 2 + 2);
+  double measured = 0, expected = 0;
+  int compared = 0;
+  for (int k = 0; k < n; k++) {
+    measured += timed[k].measured;
+    expected += timed[k].expected;
+  }
+  for (int k = 0; k < n; k++) {
+    if (timed[k].measured < 1) continue;
+    const double ratio = timed[k].expected / timed[k].measured * (measured / expected);
+    ck_assert_msg(ratio > 0.25 && ratio < 4, "%s %s %s: %g s expected, %g s measured", timed[k].method,
+                  timed[k].integrator, timed[k].tolerance, timed[k].expected, timed[k].measured);
+    compared++;
+  }
+  ck_assert_int_gt(compared, 20);
+}
+END_TEST
+
 int main(void) {
-  return suite_run(
-      "work_precision",
-      (SuiteTests){errors_are_relative_but_for_angle_area_and_damage, the_front_holds_what_nothing_beats,
-                   the_cheapest_point_within_an_error_is_found, parts_that_cancel_are_no_merit,
-                   the_largest_part_of_an_error_is_named, the_exponent_of_a_power_law_is_found, NULL});
+  return suite_run("work_precision",
+                   (SuiteTests){errors_are_relative_but_for_angle_area_and_damage,
+                                the_front_holds_what_nothing_beats,
+                                the_cheapest_point_within_an_error_is_found, parts_that_cancel_are_no_merit,
+                                the_largest_part_of_an_error_is_named, the_exponent_of_a_power_law_is_found,
+                                expected_seconds_follow_those_of_the_page_within_a_factor_of_four, NULL});
 }
