@@ -3,6 +3,7 @@
 
 #include "base/array.h"
 #include "run/march.h"
+#include <locale.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -92,8 +93,7 @@ double capsella_time(const Capsella *capsella) {
 
 /* ---- opening ---- */
 
-static CapsellaStatus need_no_scene(Capsella *capsella) {
-  if (capsella->state == CAPSELLA_CLOSED) return CAPSELLA_OK;
+static CapsellaStatus refuse_second_scene(Capsella *capsella) {
   return handle_refuse(capsella, "a scene is open already: another one needs a handle of its own");
 }
 
@@ -111,7 +111,7 @@ CapsellaStatus capsella_set(Capsella *capsella, const char *key, const char *val
   Status status = STATUS_OK;
   Error *error = &capsella->error;
   Text setting = {0};
-  if (need_no_scene(capsella) != CAPSELLA_OK) return CAPSELLA_USAGE;
+  if (capsella->state != CAPSELLA_CLOSED) return refuse_second_scene(capsella);
   TRY(text_append(&setting, error, "%s=%s", key, value));
   TRY(append_set(capsella, setting.data, error));
   setting = (Text){0};
@@ -142,23 +142,43 @@ cleanup:
   return status;
 }
 
-static CapsellaStatus open_what_was_read(Capsella *capsella, Status status) {
-  if (status == STATUS_OK) status = begin(capsella);
+typedef struct {
+  const char *file, *text; /* text: NULL to read the file */
+} Source;
+
+static Status read_and_begin(Capsella *capsella, Source source) {
+  Status status;
+  const char *const *sets = (const char *const *)capsella->set;
+  Error *error = &capsella->error;
+  if (source.text)
+    TRY(scene_read_text(&capsella->scene, source.file, source.text, strlen(source.text), sets,
+                        capsella->n_sets, error));
+  else
+    TRY(scene_read(&capsella->scene, source.file, sets, capsella->n_sets, error));
+  TRY(begin(capsella));
+cleanup:
   if (status != STATUS_OK) close_scene(capsella);
+  return status;
+}
+
+/* In the C locale, for this thread alone: the caller's may write a comma where a scene has a point. */
+static CapsellaStatus open_source(Capsella *capsella, Source source) {
+  if (capsella->state != CAPSELLA_CLOSED) return refuse_second_scene(capsella);
+  const locale_t plain = newlocale(LC_ALL_MASK, "C", (locale_t)0);
+  if (plain == (locale_t)0) return handle_result(error_set(&capsella->error, STATUS_MEMORY, "out of memory"));
+  const locale_t callers = uselocale(plain);
+  const Status status = read_and_begin(capsella, source);
+  uselocale(callers);
+  freelocale(plain);
   return handle_result(status);
 }
 
 CapsellaStatus capsella_open_file(Capsella *capsella, const char *path) {
-  if (need_no_scene(capsella) != CAPSELLA_OK) return CAPSELLA_USAGE;
-  return open_what_was_read(capsella, scene_read(&capsella->scene, path, (const char *const *)capsella->set,
-                                                 capsella->n_sets, &capsella->error));
+  return open_source(capsella, (Source){.file = path});
 }
 
 CapsellaStatus capsella_open_text(Capsella *capsella, const char *name, const char *text) {
-  if (need_no_scene(capsella) != CAPSELLA_OK) return CAPSELLA_USAGE;
-  return open_what_was_read(capsella, scene_read_text(&capsella->scene, name, text, strlen(text),
-                                                      (const char *const *)capsella->set, capsella->n_sets,
-                                                      &capsella->error));
+  return open_source(capsella, (Source){.file = name, .text = text});
 }
 
 /* ---- stepping ---- */

@@ -90,9 +90,8 @@ cleanup:
 
 /* Removes what an earlier run has left in the folder: it would pass for a result of this one. */
 static Status clear_folder(const Output *output, Error *error) {
-  static const char *const names[] = {"summary.json",         "report.html", "series.xdmf",
-                                      "snapshots.hdf.series", "capsule.svg", "criteria.csv",
-                                      "law_failure.yaml"};
+  static const char *const names[] = {"summary.json", "report.html", "series.xdmf",  "snapshots.hdf.series",
+                                      "capsule.svg",  "curves.svg",  "criteria.csv", "law_failure.yaml"};
   Status status = STATUS_OK;
   int *numbers = NULL;
   size_t count;

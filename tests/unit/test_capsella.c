@@ -6,6 +6,7 @@
 #include "run/run.h"
 #include "scratch.h"
 #include "suite.h"
+#include <locale.h>
 #include <math.h>
 #include <omp.h>
 #include <pthread.h>
@@ -333,6 +334,33 @@ START_TEST(every_allocation_that_fails_is_told_and_leaves_nothing_behind) {
 }
 END_TEST
 
+/* Makes a locale with a decimal comma, where the system has what that takes. */
+static bool speak_german(void) {
+  char command[600];
+  snprintf(command, sizeof command, "localedef -i de_DE -f UTF-8 %s/de_DE.UTF-8 >/dev/null 2>&1",
+           scratch_folder);
+  return system(command) == 0 && setenv("LOCPATH", scratch_folder, 1) == 0 &&
+         setlocale(LC_ALL, "de_DE.UTF-8") != NULL;
+}
+
+START_TEST(a_decimal_comma_of_the_caller_does_not_reach_the_scene) {
+  Capsella *plain = opened(SCENE);
+  capsella_advance(plain, 0.1);
+  if (speak_german()) {
+    ck_assert_double_eq(strtod("0,5", NULL), 0.5);
+    Capsella *c = opened(SCENE);
+    capsella_advance(c, strtod("0,1", NULL));
+    ck_assert_double_eq(scalar(c, "D12"), scalar(plain, "D12"));
+    ck_assert_double_eq(strtod("0,5", NULL), 0.5); /* the caller's locale is back */
+    capsella_free(c);
+    file_remove_folder(scratch_path("de_DE.UTF-8"));
+  } else {
+    puts("skipped: a German locale cannot be made here");
+  }
+  capsella_free(plain);
+}
+END_TEST
+
 /* ---- threads ---- */
 
 typedef struct {
@@ -378,6 +406,7 @@ int main(void) {
                    a_handle_opens_after_a_scene_that_was_wrong,
                    a_broken_computation_keeps_its_last_good_state_and_its_reason,
                    every_allocation_that_fails_is_told_and_leaves_nothing_behind,
+                   a_decimal_comma_of_the_caller_does_not_reach_the_scene,
                    handles_in_threads_of_their_own_compute_what_they_compute_alone, NULL});
   scratch_remove();
   return failed;
