@@ -69,7 +69,7 @@ static void read_last_row(const char *path, double *row, size_t count) {
 }
 
 START_TEST(a_handle_ends_with_the_same_bits_as_a_run_of_the_program) {
-  enum { COLUMNS = 17 };
+  enum { COLUMNS = 18 };
   Error error;
   Outcome outcome;
   Text folder = {0};
@@ -242,6 +242,24 @@ START_TEST(reading_does_not_change_what_is_computed) {
 }
 END_TEST
 
+static void must_be_on_page(const Text *page, const char *(*name_of)(size_t)) {
+  char quoted[64];
+  for (size_t k = 0; name_of(k); k++) {
+    snprintf(quoted, sizeof quoted, "`%s`", name_of(k));
+    ck_assert_msg(strstr(page->data, quoted) != NULL, "docs/embedding.md does not tell of %s", quoted);
+  }
+}
+
+START_TEST(the_page_tells_of_every_figure_and_field) {
+  Error error;
+  Text page = {0};
+  ck_assert_int_eq(file_read(SOURCE_DIR "/docs/embedding.md", 1 << 20, &page, &error), STATUS_OK);
+  must_be_on_page(&page, capsella_scalar_name);
+  must_be_on_page(&page, capsella_field_name);
+  text_free(&page);
+}
+END_TEST
+
 /* ---- refusals ---- */
 
 static void must_refuse(CapsellaStatus status, CapsellaStatus expected, const Capsella *c,
@@ -402,6 +420,7 @@ int main(void) {
                    rupture_ends_a_computation_at_its_time, small_rates_end_a_computation_as_steady,
                    units_of_a_physical_scene_are_figures, elements_are_closed_triangles_of_the_nodes,
                    the_fields_of_a_state_belong_together, reading_does_not_change_what_is_computed,
+                   the_page_tells_of_every_figure_and_field,
                    calls_that_do_not_suit_the_handle_are_refused_with_words,
                    a_handle_opens_after_a_scene_that_was_wrong,
                    a_broken_computation_keeps_its_last_good_state_and_its_reason,
