@@ -76,12 +76,17 @@ static double rounded(const Elastic *elastic, double x) {
   return fmin(fmax(decimal_multiple(x, decimal_unit(elastic->tolerance)), elastic->low), elastic->high);
 }
 
+static bool is_tried(const Elastic *elastic, double x) {
+  for (size_t i = 0; i < elastic->n_trials; i++)
+    if (elastic->trial[i] == x) return true;
+  for (size_t i = 0; i < elastic->curve.n; i++)
+    if (elastic->curve.x[i] == x) return true;
+  return false;
+}
+
 static void add_trial(Elastic *elastic, double x) {
   x = rounded(elastic, x);
-  for (size_t i = 0; i < elastic->n_trials; i++)
-    if (elastic->trial[i] == x) return;
-  for (size_t i = 0; i < elastic->curve.n; i++)
-    if (elastic->curve.x[i] == x) return;
+  if (is_tried(elastic, x)) return;
   if (elastic->n_trials < ELASTIC_TRIALS) elastic->trial[elastic->n_trials++] = x;
 }
 
@@ -94,7 +99,8 @@ static bool is_known(const Elastic *elastic, LevelCrossing crossing) {
          (crossing.error <= SHARE * elastic->tolerance && nearest <= elastic->tolerance);
 }
 
-/* One trial in each interval that holds levels not known well enough: at the middle one of them. */
+/* One trial in each interval that holds levels not known well enough: at the middle one of them, or, where
+ * that is an end of the interval, as at a jump of the curve, halfway. */
 static void ask_for_levels(Elastic *elastic) {
   for (size_t i = 0; i + 1 < elastic->curve.n; i++) {
     double sum = 0;
@@ -105,7 +111,9 @@ static void ask_for_levels(Elastic *elastic) {
       sum += crossing.x;
       n++;
     }
-    if (n > 0) add_trial(elastic, sum / n);
+    if (n == 0) continue;
+    const double x = sum / n, halfway = 0.5 * (elastic->curve.x[i] + elastic->curve.x[i + 1]);
+    add_trial(elastic, is_tried(elastic, rounded(elastic, x)) ? halfway : x);
   }
 }
 

@@ -76,6 +76,22 @@ START_TEST(every_level_is_found_within_the_tolerance_by_few_runs) {
 }
 END_TEST
 
+/* At Ca = 1 the curve goes from 2 to 8: the level lies in the jump, where no interpolation is worth anything.
+ */
+START_TEST(a_jump_is_found_within_the_tolerance) {
+  Error error;
+  Elastic elastic = made(NULL, 0);
+  ck_assert_int_eq(elastic_add_level(&elastic, 2.5, &error), STATUS_OK);
+  search(&elastic, "awk -v Ca=$Ca 'BEGIN { Y = Ca * Ca * (1 + Ca); if (Ca >= 1) Y *= 4;"
+                   " printf \"{status: steady, Y_max: %.17g}\", Y }' >$folder/summary.json\n");
+  const LevelCrossing crossing = elastic_cross(&elastic, 2.5);
+  ck_assert(crossing.low < 1 && crossing.high >= 1);
+  ck_assert_double_le(crossing.high - crossing.low, TOLERANCE * (1 + 1e-9));
+  ck_assert(crossing.low <= crossing.x && crossing.x <= crossing.high);
+  elastic_free(&elastic);
+}
+END_TEST
+
 START_TEST(a_level_beyond_the_bracket_is_passed_nowhere) {
   Error error;
   Elastic elastic = made(NULL, 0);
@@ -107,6 +123,7 @@ int main(void) {
   const int failed =
       suite_run("elastic", (SuiteTests){points_that_differ_in_their_damage_law_alone_share_the_runs,
                                         every_level_is_found_within_the_tolerance_by_few_runs,
+                                        a_jump_is_found_within_the_tolerance,
                                         a_level_beyond_the_bracket_is_passed_nowhere,
                                         runs_that_fail_give_a_reason_and_end_the_search, NULL});
   file_remove_folder(scratch_folder);
