@@ -84,7 +84,7 @@ for worker in $(seq "$workers"); do
   judge "$worker" &
 done
 wait
-cat verdicts.* >verdicts
+sort -n verdicts.[0-9]* >verdicts
 [ "$(wc -l <verdicts)" = "$(wc -l <cases.txt)" ] || {
   echo "FAILED: $(wc -l <verdicts) verdicts on $(wc -l <cases.txt) cases" >&2
   exit 1
