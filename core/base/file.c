@@ -134,6 +134,7 @@ Status file_hash(const char *path, uint64_t *hash, Error *error) {
 Status file_join(Text *path, const char *folder, const char *name, Error *error) {
   if (*name == '/' || *folder == '\0') return text_append(path, error, "%s", name);
   const char *slash = folder[strlen(folder) - 1] == '/' ? "" : "/";
+  if (strncmp(name, "./", 2) == 0) name += 2;
   return text_append(path, error, "%s%s%s", folder, slash, name);
 }
 

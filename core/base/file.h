@@ -28,7 +28,7 @@ void file_remove_folder(const char *path);
 /* 64-bit FNV-1a of a file's bytes: identifies a law's shared object in resolved.yaml and in snapshots. */
 Status file_hash(const char *path, uint64_t *hash, Error *error);
 
-/* "folder/name" (or name alone when it is absolute or folder is empty). */
+/* "folder/name" (or name alone when it is absolute or folder is empty); of "./name" the dot is left out. */
 Status file_join(Text *path, const char *folder, const char *name, Error *error);
 
 /* The folder part of a path, "." when there is none. */

@@ -71,6 +71,11 @@ static Status admit(const LawSearch *search, const char *file, Error *reason) {
   return search->admit && !law_search_owns(search, file) ? search->admit(file, reason) : STATUS_OK;
 }
 
+static bool is_source(const char *file) {
+  const char *end = strrchr(file, '.');
+  return end && (strcmp(end, ".c") == 0 || strcmp(end, ".cpp") == 0);
+}
+
 static Status try_file(Attempt *attempt, const char *file, const LawSearch *search, Error *error) {
   Status status = STATUS_OK;
   Error reason;
@@ -80,6 +85,8 @@ static Status try_file(Attempt *attempt, const char *file, const LawSearch *sear
     return report(attempt, file, access(file, F_OK) == 0 ? "not a file that can be read" : "no such file",
                   error);
   }
+  if (is_source(file))
+    return report(attempt, file, "is a source; what a scene names is the .so that is built from it", error);
   absolute = realpath(file, NULL);
   if (!absolute) TRY(error_set(error, STATUS_IO, "%s: its absolute path cannot be had", file));
   attempt->done = true; /* the file is there: no later one takes its place */

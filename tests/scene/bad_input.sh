@@ -86,6 +86,12 @@ grep -q 'none of its snapshots is whole.*without --resume' message || fail "cut-
 grep -q 'snapshot_000000.vtkhdf' message || fail "the damaged snapshot is not named: $(cat message)"
 [ -f cut/snapshot_000000.vtkhdf ] || fail "the damaged snapshot is gone"
 
+# The source of a law in the place of its .so.
+touch law.c
+edited 's|law: marigo|law: ./law.c|'
+refused 2 '^scene.yaml:10:10: .*damage law' scene.yaml
+grep -q '^  ./law.c: is a source; what a scene names is the .so' message || fail "a source: $(cat message)"
+
 # What YAML refuses, with what it mostly means.
 edited 's/^  kind: simple_shear/\tkind: simple_shear/'
 refused 2 '^scene.yaml:13:1: .*a tab\? indent with blanks' scene.yaml

@@ -143,8 +143,8 @@ END_TEST
 START_TEST(paths_join_and_part) {
   static const struct {
     const char *folder, *name, *joined;
-  } joins[] = {
-      {"out", "x", "out/x"}, {"out/", "x", "out/x"}, {"", "x", "x"}, {"out", "/x", "/x"}, {"/", "x", "/x"}};
+  } joins[] = {{"out", "x", "out/x"}, {"out/", "x", "out/x"}, {"", "x", "x"},           {"out", "/x", "/x"},
+               {"/", "x", "/x"},      {".", "./x", "./x"},    {"/out", "./x", "/out/x"}};
   static const struct {
     const char *path, *folder;
   } parts[] = {{"a/b/c", "a/b"}, {"c", "."}, {"/c", "/"}, {"a/", "a"}};
