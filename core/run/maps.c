@@ -139,8 +139,10 @@ static Status open_state(Maps *maps, const char *folder, const char *path, Error
   }
   TRY(aim_transverse(state, error));
   const char *slash = strrchr(folder, '/'), *name = slash && slash[1] ? slash + 1 : folder;
-  snprintf(state->heading, sizeof state->heading, "%.60s%st = %.4g", options->n_folders > 1 ? name : "",
-           options->n_folders > 1 ? ", " : "", state->grid.t);
+  if (options->n_folders > 1)
+    snprintf(state->heading, sizeof state->heading, "%.28s", name); /* as much as there is room for */
+  else
+    snprintf(state->heading, sizeof state->heading, "t = %.4g", state->grid.t);
 cleanup:
   return status;
 }
