@@ -4,7 +4,7 @@
     page.py CAPSELLA WORK
 
 Results go below WORK, where what an earlier call has computed is taken over; remove it to compute all anew.
-The page is page.md with its {names} filled in; pictures go to docs/pictures.  A value that misses its mark is a
+The page is page.md.in with its {names} filled in; pictures go to docs/pictures.  A value that misses its mark is a
 row like any other: the page is written, and says so.  Needs the standard library of Python only."""
 
 import csv
@@ -504,7 +504,7 @@ def compiler():
 def main():
     WORK.mkdir(parents=True, exist_ok=True)
     version = subprocess.run([CAPSELLA, "--version"], capture_output=True, text=True, check=True).stdout.strip()
-    page = (HERE / "page.md").read_text()
+    page = (HERE / "page.md.in").read_text()
     parts = {"made": f"{version}, {datetime.date.today()}, {processor()}, {compiler()}"}
     for part in (fig07, fig08, fig17, fig10, fig11, fig12, fig13, fig14, fig15, fig16, fig18, whole_runs):
         if "{" + part.__name__ + "}" in page:
