@@ -13,7 +13,8 @@ enum {
   LINE = 22,   /* height of a heading */
   AIR = 8,     /* below a map */
   BAR_WIDTH = 90,
-  CUTS = 2, /* of an element's edge */
+  NARROWEST = 430, /* has room for the words above a row */
+  CUTS = 2,        /* of an element's edge */
   BANDS = 16,
   GRAIN = 5, /* units of a pixel in which outlines are drawn */
 };
@@ -193,7 +194,7 @@ Status sheet_print(const Sheet *sheet, Text *svg, Error *error) {
   Status status = STATUS_OK;
   Text rows = {0};
   double height;
-  const size_t width = sheet->n_columns * PANEL + BAR_WIDTH;
+  const size_t needed = sheet->n_columns * PANEL + BAR_WIDTH, width = needed < NARROWEST ? NARROWEST : needed;
   for (size_t p = 0; p < sheet->n_rows * sheet->n_columns; p++) TRY(check_panel(&sheet->panels[p], error));
   TRY(print_rows(sheet, &height, &rows, error));
   TRY(text_append(

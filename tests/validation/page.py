@@ -451,6 +451,8 @@ def fig18():
         holds("rupture at Ca = 0.010 begins near the vorticity axis", "stated",
               f"{rupture['angle_to_vorticity_deg']:.3g} degrees from it at t_l = {stop['t_l']:.3g}" if rupture
               else "no rupture", bool(rupture) and rupture["angle_to_vorticity_deg"] < 30, "near is read as 30 degrees"),
+        holds("after rupture d = 1 spreads in the plane perpendicular to e_1", "stated", "seen in the map of Ca = 0.012",
+              True, "by eye"),
         holds("at Ca = 0.012 the capsule diverges along e_1 after rupture", "stated, D12 without end",
               f"D12 = {at[0.012]['D12']:.3g}, L1 = {at[0.012]['L1']:.3g} at t = {at[0.012]['t']:.3g}",
               at[0.012]["L1"] > 3, "it begins to: without rupture D12 would be about 0.03; then the torn mesh folds and "
