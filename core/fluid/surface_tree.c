@@ -296,14 +296,22 @@ static void update_root(SurfaceTree *tree, int root, const double *x, const doub
   }
 }
 
+/* The root that all elements of `root` go onto, or -1: the roots of the icosahedron itself are no images. */
+static int image_of_root(const SurfaceTree *tree, const SymmetryOperation *operation, int root) {
+  const int n = nodes_of_root(tree, tree->element_level), image = operation->element[n * root] / n;
+  for (int e = n * root; e < n * (root + 1); e++)
+    if (operation->element[e] / n != image) return -1;
+  return image;
+}
+
 void tree_use_symmetry(SurfaceTree *tree, const Symmetry *symmetry) {
-  int n = nodes_of_root(tree, tree->element_level);
   for (int root = 0; root < tree->n_roots; root++) {
     int least = root;
     for (int i = 0; i < symmetry->n_operations; i++) {
-      int image = symmetry->operation[i].element[n * root] / n;
-      if (image < least) tree->image[root] = &symmetry->operation[i];
-      if (image < least) least = image;
+      const int image = image_of_root(tree, &symmetry->operation[i], root);
+      if (image < 0 || image >= least) continue;
+      tree->image[root] = &symmetry->operation[i];
+      least = image;
     }
   }
 }
