@@ -425,6 +425,15 @@ START_TEST(set_up_survives_the_failure_of_any_allocation) {
 }
 END_TEST
 
+START_TEST(a_law_of_negative_moduli_is_refused) {
+  Material material;
+  Error error; /* its default is a modulus of -1 */
+  ck_assert_int_eq(try_material(&material, scene_law(BROKEN "/bad_tables.so", NULL, 0), NONE, &error),
+                   STATUS_INPUT);
+  ck_assert_ptr_nonnull(strstr(error.text, "expected positive moduli at rest, found G_s = -1 and K_s = -3"));
+}
+END_TEST
+
 int main(void) {
   return suite_run("material",
                    (SuiteTests){inflated_neo_hookean_membrane_has_the_tension_and_energy_of_the_paper,
@@ -450,5 +459,6 @@ int main(void) {
                                 a_unit_in_a_scene_without_physical_flow_is_refused,
                                 an_elastic_material_has_no_damage_and_asks_for_no_channel,
                                 set_up_survives_the_failure_of_any_allocation,
+                                a_law_of_negative_moduli_is_refused,
                                 NULL});
 }

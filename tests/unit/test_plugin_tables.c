@@ -1,70 +1,13 @@
 /* What opening a plugin checks of its tables: one thing at a time is spoiled in a sound one. */
 #include "laws/plugin.h"
+#include "sound_plugin.h"
 #include "suite.h"
 #include <string.h>
-
-static int eval(const mlaw_energy_args *a) {
-  (void)a;
-  return MLAW_OK;
-}
-
-static int step(const mlaw_damage_args *a) {
-  (void)a;
-  return MLAW_OK;
-}
-
-static const mlaw_param PARAM = {.name = "G_s", .unit = "N/m", .about = "shear modulus"};
-static const mlaw_var VAR = {.name = "s", .unit = "1", .about = "slip"};
-
-/* A plugin with one law of each kind; plugin() ties it together. */
-typedef struct {
-  mlaw_param param[2];
-  mlaw_var var;
-  mlaw_energy energy;
-  mlaw_damage damage;
-  const mlaw_energy *energy_list[1];
-  const mlaw_damage *damage_list[1];
-  mlaw_plugin plugin;
-} Sound;
-
-static void make(Sound *sound) {
-  *sound = (Sound){.param = {PARAM, PARAM},
-                   .var = VAR,
-                   .energy = {.size = sizeof(mlaw_energy),
-                              .id = "elastic",
-                              .title = "t",
-                              .source = "s",
-                              .params = sound->param,
-                              .n_params = 2,
-                              .param_size = sizeof(mlaw_param),
-                              .eval = eval},
-                   .damage = {.size = sizeof(mlaw_damage),
-                              .id = "slip",
-                              .title = "t",
-                              .source = "s",
-                              .vars = &sound->var,
-                              .n_vars = 1,
-                              .var_size = sizeof(mlaw_var),
-                              .needs = 1u << MLAW_T1,
-                              .update = step},
-                   .energy_list = {&sound->energy},
-                   .damage_list = {&sound->damage},
-                   .plugin = {.size = sizeof(mlaw_plugin),
-                              .abi_minor = MLAW_ABI_MINOR,
-                              .id = "test",
-                              .version = "1",
-                              .license = "MIT",
-                              .author = "a",
-                              .n_energy = 1,
-                              .n_damage = 1,
-                              .energy = sound->energy_list,
-                              .damage = sound->damage_list}};
-}
 
 START_TEST(sound_tables_pass) {
   Sound sound;
   Error error;
-  make(&sound);
+  sound_make(&sound);
   ck_assert_int_eq(plugin_check(&sound.plugin, &error), STATUS_OK);
 }
 END_TEST
@@ -74,7 +17,7 @@ END_TEST
   do {                                                                                                       \
     Sound s;                                                                                                 \
     Error error = {.text = "nothing"};                                                                       \
-    make(&s);                                                                                                \
+    sound_make(&s);                                                                                          \
     expression;                                                                                              \
     ck_assert_int_eq(plugin_check(&s.plugin, &error), STATUS_INPUT);                                         \
     ck_assert_msg(strstr(error.text, words) != NULL, "expected `%s` in `%s`", words, error.text);            \
@@ -117,9 +60,9 @@ START_TEST(a_law_computes_something_of_one_kind_from_channels_that_there_are) {
   EXPECT_REFUSED(s.damage.update = NULL,
                  "damage law `slip` must give either threshold and evolution, or update");
   EXPECT_REFUSED(
-      (s.damage.update = NULL, s.damage.threshold = s.damage.evolution = step),
+      (s.damage.update = NULL, s.damage.threshold = s.damage.evolution = sound_step),
       "damage law `slip` is of the explicit kind: it needs the channel Y alone and has no variables");
-  EXPECT_REFUSED(s.damage.threshold = step, "damage law `slip` is of both kinds");
+  EXPECT_REFUSED(s.damage.threshold = sound_step, "damage law `slip` is of both kinds");
 }
 END_TEST
 

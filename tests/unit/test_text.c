@@ -95,11 +95,20 @@ START_TEST(very_long_names_are_not_compared) {
 }
 END_TEST
 
+START_TEST(a_text_beyond_all_memory_is_refused_before_it_is_read) {
+  Text text = {0};
+  Error error;
+  ck_assert_int_eq(text_append_bytes(&text, &error, "a", SIZE_MAX / 2 + 2), STATUS_MEMORY);
+  ck_assert_ptr_nonnull(strstr(error.text, "text: "));
+  text_free(&text);
+}
+END_TEST
+
 int main(void) {
   return suite_run("text",
                    (SuiteTests){text_grows_over_many_appends, every_length_around_a_doubling_ends_in_nul,
                                 bytes_are_kept_as_they_are, a_failed_append_leaves_the_text_as_it_was,
                                 copies_are_equal_and_apart, slips_of_the_finger_find_the_name,
                                 names_with_nothing_in_common_find_nothing, very_long_names_are_not_compared,
-                                NULL});
+                                a_text_beyond_all_memory_is_refused_before_it_is_read, NULL});
 }
