@@ -128,9 +128,9 @@ numbers() {
 }
 
 # A mesh turned at random against the one that is not.  Without bending stiffness nothing but the mesh holds a membrane
-# that is compressed: wrinkles of the size of the elements grow from the error of the quadrature, faster on finer meshes,
-# and shapes agree as far as wrinkles matter to them.  Early, and where an inflated start keeps all of the membrane tense,
-# the difference is that of the quadrature alone.
+# that is compressed: wrinkles of the size of the elements grow from the error of the mesh, faster on finer ones, and
+# shapes agree as far as wrinkles matter to them.  Early, and where an inflated start keeps all of the membrane tense,
+# they agree to 1e-6.
 rotated() { # SUBDIVISIONS COUNT END [AXIS]
   case ${4:-}$3 in 0.3 | ?*1) bound=1e-6 ;; *) bound=1e-3 ;; esac
   case ${4:-} in '') start="flow.capillary_number=0.5" ;; *) start="flow.capillary_number=0.3 start.axes=[$4,$4,$4]" ;; esac

@@ -113,9 +113,9 @@ END {
   }
 
   print "\n## Turned and irregular meshes\n\nLargest difference of D12 from the mesh that is neither (Ca 0.5, inflated: 0.3)."
-  print "Early it is that of the quadrature.  Later, where the membrane is compressed, wrinkles of the size of the elements"
-  print "grow from it, since nothing but the mesh holds them in a membrane without bending stiffness: the finer the mesh, the"
-  print "faster, whatever the time step.  A capsule that starts inflated by 10 % is tense everywhere, and has none.\n"
+  print "Where the membrane is compressed, wrinkles of the size of the elements grow from the error of the mesh, since nothing"
+  print "else holds them in a membrane without bending stiffness: the finer the mesh, the faster, whatever the time step and"
+  print "the quadrature.  A capsule that starts inflated by 10 % is tense everywhere, and has none.\n"
   print "| elements | inflated by | t | meshes | D12 |\n|---|---|---|---|---|"
   for (i = 1; i <= n_named; i++) {
     split(named[i], part, " ")
