@@ -6,7 +6,7 @@
 #include "ode.h"
 #include <check.h>
 
-static const IntegratorKind KINDS[] = {INTEGRATOR_RK2, INTEGRATOR_RKC2};
+static const IntegratorKind KINDS[] = {INTEGRATOR_RK2, INTEGRATOR_RKC2, INTEGRATOR_RKC3};
 enum { N_KINDS = sizeof KINDS / sizeof *KINDS };
 
 static inline StepperOptions automatic(IntegratorKind kind, double tolerance) {

@@ -20,7 +20,7 @@ static const char REFERENCE_CASE[] = "schema: 1\n"
                                      "  parameters: {G_s: 1.0}\n"
                                      "  damage: {law: marigo, parameters: {Y_D: 0.2, Y_C: 2.0}}\n"
                                      "flow: {kind: simple_shear, capillary_number: 0.7}\n"
-                                     "time: {end: 10, integrator: rkc2}\n"
+                                     "time: {end: 10, integrator: rkc3}\n"
                                      "output: {snapshot_every: 0, history_every: 0}\n";
 
 static Status read_case(Scene *scene, const char *const *sets, Error *error) {

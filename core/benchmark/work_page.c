@@ -146,7 +146,7 @@ static void plot_tolerances(const WorkPrecision *work, Plot *plot) {
       for (int k = 0; k < work->n; k++) {
         const WorkPoint *point = &work->point[k];
         if (point->knobs.subdivisions == level && strcmp(point->knobs.method, methods[m]) == 0 &&
-            strcmp(point->knobs.integrator, "rkc2") == 0)
+            strcmp(point->knobs.integrator, "rkc3") == 0)
           add_point(plot, point);
       }
       close_series(plot);

@@ -21,7 +21,7 @@ WorkError work_error(const RunState *state, const RunState *reference) {
 /* Time errors are held against TIGHT, those of quadrature against the method `reference` at USUAL. */
 static const char TIGHT[] = "1e-6", USUAL[] = "1e-3";
 static const char FAST[] = "fast", DIRECT[] = "direct", REFERENCE[] = "reference", RK2[] = "rk2",
-                  RKC2[] = "rkc2";
+                  RKC3[] = "rkc3";
 static const char *const TOLERANCES[] = {"1e-2", "1e-3", "1e-4", "1e-5", "1e-6"};
 enum { N_TOLERANCES = sizeof TOLERANCES / sizeof *TOLERANCES };
 
@@ -37,7 +37,7 @@ static bool is_in_grid(const WorkKnobs *knobs, bool full) {
 }
 
 static int build_grid(bool full, WorkPoint *points) {
-  static const char *const methods[] = {FAST, DIRECT, REFERENCE}, *const integrators[] = {RK2, RKC2};
+  static const char *const methods[] = {FAST, DIRECT, REFERENCE}, *const integrators[] = {RK2, RKC3};
   int n = 0;
   for (int level = 1; level <= (full ? 4 : 3); level++)
     for (int m = 0; m < 3; m++)
@@ -108,11 +108,11 @@ static const RunState *find_state(const WorkPrecision *result, WorkKnobs knobs) 
 /* Each part varies one knob and keeps the others where they are known best or matter least. */
 static void split_error(WorkPrecision *result, WorkPoint *point) {
   const WorkKnobs *knobs = &point->knobs;
-  const RunState *best = find_state(result, (WorkKnobs){knobs->subdivisions, FAST, RKC2, TIGHT});
+  const RunState *best = find_state(result, (WorkKnobs){knobs->subdivisions, FAST, RKC3, TIGHT});
   const RunState *stepped =
       find_state(result, (WorkKnobs){knobs->subdivisions, FAST, knobs->integrator, knobs->tolerance});
-  const RunState *summed = find_state(result, (WorkKnobs){knobs->subdivisions, knobs->method, RKC2, USUAL});
-  const RunState *exact = find_state(result, (WorkKnobs){knobs->subdivisions, REFERENCE, RKC2, USUAL});
+  const RunState *summed = find_state(result, (WorkKnobs){knobs->subdivisions, knobs->method, RKC3, USUAL});
+  const RunState *exact = find_state(result, (WorkKnobs){knobs->subdivisions, REFERENCE, RKC3, USUAL});
   point->error = work_error(last_state(point), last_state(&result->reference));
   point->space = work_error(best, last_state(&result->reference)).shape;
   point->time = work_error(stepped, best).shape;
@@ -165,7 +165,7 @@ double work_exponent(int n, const double *x, const double *y) {
 Status work_precision(const WorkCase *work, bool full, int threads, WorkProgress progress,
                       WorkPrecision *result, Error *error) {
   Status status;
-  *result = (WorkPrecision){.reference = {.knobs = {full ? 5 : 4, FAST, RKC2, "1e-5"}}};
+  *result = (WorkPrecision){.reference = {.knobs = {full ? 5 : 4, FAST, RKC3, "1e-5"}}};
   result->n = build_grid(full, result->point);
   double expected = work_expected_seconds(&result->reference.knobs), passed = expected;
   for (int k = 0; k < result->n; k++) expected += work_expected_seconds(&result->point[k].knobs);

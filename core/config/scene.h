@@ -44,7 +44,7 @@ typedef enum {
   FLOW_LINEAR,             /* v = G x */
   FLOW_INFLATION           /* imposed radius, no fluid */
 } FlowKind;
-typedef enum { INTEGRATOR_RK2, INTEGRATOR_RKC2 } IntegratorKind;
+typedef enum { INTEGRATOR_RK2, INTEGRATOR_RKC2, INTEGRATOR_RKC3 } IntegratorKind;
 typedef enum { RUPTURE_STOP, RUPTURE_CONTINUE } RuptureAction;
 typedef enum { ACCURACY_DRAFT, ACCURACY_STANDARD, ACCURACY_FINE } Accuracy;
 typedef enum { SYMMETRY_AUTO, SYMMETRY_OFF } SymmetryChoice;
@@ -120,7 +120,7 @@ typedef struct {
   Accuracy accuracy;
   SymmetryChoice symmetry;
   FluidMethod fluid_method;
-  bool coarse_stages; /* inner stages of rkc2 by a coarser rule */
+  bool coarse_stages; /* inner stages of rkc3 and rkc2 by a coarser rule */
 
   struct {
     double history_every, snapshot_every; /* 0: only the last state */

@@ -43,7 +43,8 @@ static const char *const FLOW_KINDS[] = {[FLOW_SIMPLE_SHEAR] = "simple_shear",
                                          [FLOW_LINEAR] = "linear",
                                          [FLOW_INFLATION] = "inflation",
                                          NULL};
-static const char *const INTEGRATORS[] = {[INTEGRATOR_RK2] = "rk2", [INTEGRATOR_RKC2] = "rkc2", NULL};
+static const char *const INTEGRATORS[] = {
+    [INTEGRATOR_RK2] = "rk2", [INTEGRATOR_RKC2] = "rkc2", [INTEGRATOR_RKC3] = "rkc3", NULL};
 static const char *const RUPTURE_ACTIONS[] = {[RUPTURE_STOP] = "stop", [RUPTURE_CONTINUE] = "continue", NULL};
 static const char *const SYMMETRIES[] = {[SYMMETRY_AUTO] = "auto", [SYMMETRY_OFF] = "off", NULL};
 static const char *const FLUID_METHODS[] = {
@@ -160,9 +161,9 @@ const SchemaRow SCHEMA[] = {
     {.key = "time.end", .type = TYPE_NUMBER, AT(time.end), ABOVE(0),
      .meaning = "Time at which the run ends, in units of 1/rate."},
     {.key = "time.integrator", .type = TYPE_CHOICE, AT(time.integrator), .choices = INTEGRATORS,
-     .fallback = "rkc2",
-     .meaning = "Time integrator: rkc2 is a stabilized Runge-Kutta-Chebyshev method of order 2, rk2 the "
-                "explicit midpoint rule, whose steps stability keeps short."},
+     .fallback = "rkc3",
+     .meaning = "Time integrator: rkc3 and rkc2 are stabilized Runge-Kutta-Chebyshev methods of order 3 and 2, rk2 "
+                "the explicit midpoint rule, whose steps stability keeps short."},
     {.key = "time.step", .type = TYPE_AUTOMATIC, AT(time.step),
      .companion = offsetof(Scene, time.step_is_auto), ABOVE(0), .fallback = "auto",
      .meaning = "Time step: `auto` follows the error and the stability limit, a number is a fixed step, "
@@ -198,7 +199,7 @@ const SchemaRow SCHEMA[] = {
                 "points per element with polar coordinates on singular ones; reference is the most "
                 "accurate."},
     {.key = "fluid.coarse_stages", .type = TYPE_BOOLEAN, AT(coarse_stages), .fallback = "true",
-     .meaning = "Inner stages of an rkc2 step by a coarser rule, plus what that lacked at the start of the "
+     .meaning = "Inner stages of a stabilized step by a coarser rule, plus what that lacked at the start of the "
                 "step; the direct method has none."},
     {.key = "fluid.remove_flux", .type = TYPE_BOOLEAN, AT(flow.remove_flux), .fallback = "true",
      .meaning = "Subtract the mean normal velocity, which is 0 but for the quadrature, so that the volume "

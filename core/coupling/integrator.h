@@ -1,4 +1,5 @@
-/* Explicit one-step integrators of order two behind one small table.  Each passes the same test suite. */
+/* Explicit one-step integrators of order two or three behind one small table.  Each passes the same test
+ * suite. */
 #ifndef CAPSELLA_COUPLING_INTEGRATOR_H
 #define CAPSELLA_COUPLING_INTEGRATOR_H
 
@@ -18,7 +19,7 @@ typedef struct {
                  double *x1, double *work, Error *error);
 } Integrator;
 
-enum { INTEGRATOR_WORK = 3 }; /* arrays of n doubles that a step may need */
+enum { INTEGRATOR_WORK = 4 }; /* arrays of n doubles that a step may need */
 
 const Integrator *integrator_get(IntegratorKind kind);
 

@@ -188,7 +188,7 @@ static void describe_flow(Simulation *s) {
 static Status build_coarse_layer(Simulation *s, Error *error) {
   Status status = STATUS_OK;
   const Scene *scene = s->scene;
-  const bool has_stages = scene->time.integrator == INTEGRATOR_RKC2;
+  const bool has_stages = scene->time.integrator != INTEGRATOR_RK2;
   if (!has_stages || !scene->coarse_stages || scene->fluid_method == FLUID_DIRECT) return STATUS_OK;
   TRY(coarse_layer_new(&s->coarse, &s->mesh, s->system.symmetry, error));
   TRY(system_use_coarse(&s->system, s->coarse, error));

@@ -25,9 +25,10 @@ results=empty/results/small
 for words in points:nodes cells:elements; do
   [ "$(grep -c "\b$(number $results/summary.json "${words#*:}") ${words%:*}, " output)" = 2 ] || fail "${words%:*}: $(cat output)"
 done
-# The largest nodal damage is that of the run, up to what is lost from integration points to nodes.
+# The largest nodal damage is that of the run, up to what is lost from integration points to nodes
+# and to the four digits printed.
 awk -v d="$(number $results/summary.json d_max)" '
-  /^largest damage/ { found++; if (!($3 <= d && $3 > 0.9 * d)) exit 1 }
+  /^largest damage/ { found++; if (!($3 <= d + 0.00005 && $3 > 0.9 * d)) exit 1 }
   END { exit found != 2 }' output || fail "largest damage: $(cat output)"
 # The pictures show the damaged place, and it alone, in yellow, the end of the colours; the bar of colours, at the right, is left out.
 cat >look.py <<'END'

@@ -103,7 +103,7 @@ START_TEST(a_short_scene_gets_the_documented_defaults) {
   ck_assert(!s.membrane.has_damage);
   ck_assert_ptr_null(s.membrane.damage.law);
   ck_assert_int_eq(s.membrane.mass_solver, MASS_PCG);
-  ck_assert_int_eq(s.time.integrator, INTEGRATOR_RKC2);
+  ck_assert_int_eq(s.time.integrator, INTEGRATOR_RKC3);
   ck_assert(s.time.step_is_auto && s.time.tolerance == 1e-4 && !s.time.allow_unstable);
   ck_assert_int_eq(s.stop.rupture, RUPTURE_STOP);
   ck_assert(s.stop.steady == 0);
