@@ -81,7 +81,7 @@ Status entry_count(const YamlNode *node, const char *name, int low, int *value, 
 
 Status entry_choice(const YamlNode *node, const char *name, const char *const *words, int *choice,
                     Error *error) {
-  const char *text;
+  const char *text = NULL;
   Status status = entry_text(node, name, &text, error);
   if (status != STATUS_OK) return status;
   for (*choice = 0; words[*choice]; ++*choice)

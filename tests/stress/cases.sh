@@ -47,12 +47,12 @@ damaging() {
 }
 
 tolerances() { # the bounds go with the tolerance
-  for integrator in rk2 rkc2; do for tolerance in 1e-2 1e-3 1e-4 1e-5 1e-6; do for Ca in 0.03 0.1 0.3 0.7 1.2; do
+  for integrator in rk2 rkc2 rkc3; do for tolerance in 1e-2 1e-3 1e-4 1e-5 1e-6; do for Ca in 0.03 0.1 0.3 0.7 1.2; do
     case $tolerance in 1e-6) against=2e-7 ;; *) against=1e-6 ;; esac
     bounds=$(awk -v tol=$tolerance 'BEGIN { print 30 * tol + 1e-7, 100 * tol + 1e-6, 100 * tol, 100 * tol + 1e-4 }')
     line tolerance sound "$bounds" \
       "time.integrator=$integrator time.tolerance=$tolerance $(damage marigo Y_D=0.2 Y_C=2) flow.capillary_number=$Ca" \
-      "time.integrator=rkc2 time.tolerance=$against"
+      "time.integrator=rkc3 time.tolerance=$against"
   done; done; done
 }
 

@@ -60,7 +60,7 @@ END {
   print "\n| group | what is varied |\n|---|---|"
   print "| elastic | nine laws, Ca from 1e-3 to 10 |"
   print "| damage | fifteen laws on two membranes, Ca from 0.2 to 1.5 |"
-  print "| tolerance | 1e-2 to 1e-6, both integrators |"
+  print "| tolerance | 1e-2 to 1e-6, all integrators |"
   print "| jittered | irregular meshes, against the regular one |"
   print "| noise | noise of 1e-12 to 1e-3 at the start, against none |"
   print "| changing | flows that oscillate, come up, stop, turn round and beat |"
