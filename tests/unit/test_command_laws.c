@@ -205,6 +205,7 @@ START_TEST(a_plugin_that_crashes_costs_its_own_answer_alone) {
   ck_assert_int_eq(laws_with(BUILD_DIR "/tests/broken", "list"), 0);
   if (!is_sanitized) expect_output("/crashes_at_load.so: crashed (signal ");
   expect_output("/no_entry.so: ");
+  expect_output("/hangs_at_load.so: did not come back within 10 s");
   expect_row((const char *[]){"energy  crashes ", "", BUILD_DIR "/tests/broken/crashes.so"});
   expect_row((const char *[]){"energy  skalak ", " Skalak's membrane ", PLUGINS "/skalak.so"});
 }

@@ -135,10 +135,35 @@ START_TEST(an_unknown_law_is_refused_at_its_place) {
 }
 END_TEST
 
+static int n_collapsed; /* nodes */
+static void collapse(const Motion *motion, double t, double *x, double *v) {
+  (void)motion;
+  (void)t;
+  for (int k = 0; k < 3 * n_collapsed; k++) x[k] = v[k] = 0;
+}
+
+START_TEST(a_state_inside_a_step_that_cannot_be_is_told_with_the_step) {
+  Voyage v;
+  Error error;
+  double t1;
+  voyage_open(&v, SCENE);
+  Motion *motion = v.simulation.motion;
+  ck_assert_int_eq(motion->propose(motion, v.scene.time.end, &t1, NULL, &error), STATUS_OK);
+  ck_assert_int_eq(record_step(&v.record, t1, &error), STATUS_OK);
+  n_collapsed = v.simulation.mesh.n_nodes;
+  motion->at = collapse;
+  ck_assert_int_eq(record_probe(&v.record, 0.5 * t1, &error), STATUS_FAILED);
+  ck_assert_msg(strncmp(error.text, "inside the step from t = 0 to ", 30) == 0, "%s", error.text);
+  voyage_close(&v);
+}
+END_TEST
+
 int main(void) {
-  return suite_run("criteria", (SuiteTests){an_inflation_is_judged_at_the_exact_radii,
-                                            the_law_of_the_membrane_judges_as_the_membrane_behaves,
-                                            a_membrane_that_starts_inflated_is_judged_from_there,
-                                            nothing_is_set_up_for_a_scene_without_criteria,
-                                            an_unknown_law_is_refused_at_its_place, NULL});
+  return suite_run("criteria",
+                   (SuiteTests){an_inflation_is_judged_at_the_exact_radii,
+                                the_law_of_the_membrane_judges_as_the_membrane_behaves,
+                                a_membrane_that_starts_inflated_is_judged_from_there,
+                                nothing_is_set_up_for_a_scene_without_criteria,
+                                an_unknown_law_is_refused_at_its_place,
+                                a_state_inside_a_step_that_cannot_be_is_told_with_the_step, NULL});
 }

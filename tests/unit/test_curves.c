@@ -4,6 +4,7 @@
 #include "law_scene.h"
 #include "suite.h"
 #include <math.h>
+#include <string.h>
 
 static const double G = 1.3;
 
@@ -83,9 +84,30 @@ START_TEST(a_law_in_time_sees_the_time_that_the_path_takes) {
 }
 END_TEST
 
+static int refuse_all(const mlaw_damage_args *a) {
+  return mlaw_fail(a->err, MLAW_INTERNAL, -1, "never");
+}
+
+START_TEST(a_law_that_does_not_tell_its_threshold_is_named) {
+  SceneParameter parameters[] = {number("Y_D", 0.1), number("Y_C", 3)};
+  Material material = neo_hookean(scene_law("marigo", parameters, 2));
+  mlaw_damage silent = *material.damage.damage;
+  silent.threshold = refuse_all;
+  material.damage.damage = &silent;
+  const double path[] = {1.1};
+  DamageState state[1];
+  Error error;
+  ck_assert_int_eq(curve_damage(&material, 1, path, 1, state, &error), STATUS_REJECT);
+  ck_assert_msg(strstr(error.text, "law marigo: no threshold at d = ") && strstr(error.text, "(status -3)"),
+                "%s", error.text);
+  material_free(&material);
+}
+END_TEST
+
 int main(void) {
   return suite_run("curves",
                    (SuiteTests){tensions_of_a_neo_hookean_sheet_are_those_of_the_textbook,
                                 damage_grows_under_load_stays_under_unloading_and_goes_on_where_it_stopped,
-                                a_law_in_time_sees_the_time_that_the_path_takes, NULL});
+                                a_law_in_time_sees_the_time_that_the_path_takes,
+                                a_law_that_does_not_tell_its_threshold_is_named, NULL});
 }

@@ -168,6 +168,68 @@ START_TEST(a_value_out_of_range_is_named_with_its_element) {
 }
 END_TEST
 
+/* Material of an energy law alone, with parameter NAME from a spot around P. */
+static Status build_elastic(const char *law, const char *name, double inside, double outside, Error *error) {
+  Mesh mesh = sphere(1);
+  const LawSearch search = test_search();
+  const FieldPlace place = place_on(&mesh);
+  Material material;
+  SceneField field = spot(0.6, inside, outside);
+  SceneParameter parameters[] = {number(name, outside)};
+  parameters[0].field = &field;
+  Scene scene = {0};
+  scene.membrane.elastic = scene_law(law, parameters, 1);
+  const Status status = material_new(&material, &scene, &search, &NO_SCALES, &place, NULL, error);
+  if (status == STATUS_OK) material_free(&material);
+  mesh_free(&mesh);
+  return status;
+}
+
+START_TEST(a_value_that_the_law_does_not_take_is_named_with_its_element) {
+  Error error;
+  ck_assert_int_eq(build_elastic("yeoh", "c_2", -0.4, 0, &error), STATUS_INPUT);
+  ck_assert_msg(strstr(error.text, "element ") && strstr(error.text, "law yeoh refuses its parameters: "),
+                "%s", error.text);
+  ck_assert_int_eq(build_elastic(BROKEN "/negative_modulus.so", "G_s", -0.5, 1, &error), STATUS_INPUT);
+  ck_assert_msg(strstr(error.text, "element ") &&
+                    strstr(error.text, "expected positive moduli at rest, found G_s = -0.5"),
+                "%s", error.text);
+}
+END_TEST
+
+START_TEST(a_law_with_more_parameters_than_can_vary_is_refused) {
+  Error error;
+  ck_assert_int_eq(build_elastic(BROKEN "/too_many.so", "G_s", 0.5, 1, &error), STATUS_INPUT);
+  ck_assert_msg(strstr(error.text, "scene.yaml:5:8: law too_many: expected at most 64 parameters where one "
+                                   "varies, found 65"),
+                "%s", error.text);
+}
+END_TEST
+
+static void expect_no_distribution(const SceneField *field, const char *words) {
+  Mesh mesh = sphere(0);
+  double value[20];
+  Error error = {.text = "nothing"};
+  ck_assert_int_eq(sample(field, &mesh, value, &error), STATUS_INPUT);
+  ck_assert_msg(strstr(error.text, words) != NULL, "expected `%s` in `%s`", words, error.text);
+  mesh_free(&mesh);
+}
+
+START_TEST(numbers_that_make_no_distribution_are_refused) {
+  SceneField field = weibull(0, 8, 1, 0);
+  expect_no_distribution(&field, "expected a mean above 0");
+  field.mean.value = NAN;
+  field.scale.value = -1;
+  expect_no_distribution(&field, "expected a scale above 0");
+  field = (SceneField){.kind = FIELD_UNIFORM, .from = {.value = 2}, .to = {.value = 1}};
+  expect_no_distribution(&field, "expected `from` not above `to`");
+  field = (SceneField){.kind = FIELD_NORMAL, .mean = {.value = 1}, .deviation = {.value = -1}};
+  expect_no_distribution(&field, "expected a deviation of at least 0");
+  field = (SceneField){.kind = FIELD_LOG_NORMAL, .mean = {.value = 0}, .deviation = {.value = 1}};
+  expect_no_distribution(&field, "expected a mean above 0");
+}
+END_TEST
+
 START_TEST(a_field_that_is_the_same_everywhere_is_a_number) {
   Mesh mesh = sphere(1);
   Material material;
@@ -308,6 +370,9 @@ int main(void) {
                                       scatter_has_the_mean_that_is_asked_for,
                                       correlated_scatter_is_the_same_field_on_every_mesh,
                                       a_value_out_of_range_is_named_with_its_element,
+                                      a_value_that_the_law_does_not_take_is_named_with_its_element,
+                                      a_law_with_more_parameters_than_can_vary_is_refused,
+                                      numbers_that_make_no_distribution_are_refused,
                                       a_field_that_is_the_same_everywhere_is_a_number,
                                       every_element_has_the_damage_of_its_own_strength,
                                       a_spot_around_P_keeps_the_half_turn_and_gives_the_same_force_with_it,

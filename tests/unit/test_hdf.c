@@ -146,9 +146,38 @@ START_TEST(failures_are_named_and_give_the_reason_of_hdf5) {
 }
 END_TEST
 
+/* The class of the stored type of doubles is changed to that of texts: two of eight bytes. */
+START_TEST(more_than_one_text_is_refused) {
+  static const char doubles[8] = "\x11\x20\x3f\0\x08\0\0\0", texts[8] = "\x13\0\0\0\x08\0\0\0";
+  Error error;
+  Hdf *hdf;
+  char *image;
+  size_t length;
+  int changes = 0;
+  Text text = {0};
+  ck_assert_int_eq(hdf_new(&hdf, FRONT, &error), STATUS_OK);
+  ck_assert_int_eq(hdf_write(hdf, "/scene", HDF_DOUBLE, 2, 0, numbers, &error), STATUS_OK);
+  ck_assert_int_eq(hdf_image(hdf, &image, &length, &error), STATUS_OK);
+  hdf_free(hdf);
+  for (size_t k = 0; k + sizeof doubles <= length; k++) {
+    if (memcmp(image + k, doubles, sizeof doubles) != 0) continue;
+    memcpy(image + k, texts, sizeof texts);
+    changes++;
+  }
+  ck_assert_int_eq(changes, 1);
+  ck_assert_int_eq(hdf_open(&hdf, image, length, &error), STATUS_OK);
+  ck_assert_int_eq(hdf_read_text(hdf, "/scene", &text, &error), STATUS_IO);
+  ck_assert_str_eq(error.text, "/scene: expected one text, found 2");
+  text_free(&text);
+  hdf_free(hdf);
+  array_free(image);
+}
+END_TEST
+
 int main(void) {
   return suite_run("hdf", (SuiteTests){arrays_come_back_bit_for_bit, texts_come_back_whole,
                                        type_and_count_are_told, a_group_lists_its_names_in_alphabetical_order,
                                        equal_content_gives_equal_bytes,
-                                       failures_are_named_and_give_the_reason_of_hdf5, NULL});
+                                       failures_are_named_and_give_the_reason_of_hdf5,
+                                       more_than_one_text_is_refused, NULL});
 }

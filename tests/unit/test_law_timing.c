@@ -39,7 +39,38 @@ START_TEST(the_table_has_a_row_for_every_law_that_ships) {
 }
 END_TEST
 
+/* ---- Laws that cannot be timed ---- */
+
+static int refuse_all(const mlaw_energy_args *a) {
+  return mlaw_fail(a->err, MLAW_DOMAIN, 0, "never");
+}
+
+/* Answers single points, of which the sample is drawn, and no batch. */
+static int refuse_batches(const mlaw_energy_args *a) {
+  if (a->n > 1) return mlaw_fail(a->err, MLAW_BADARG, 1, "more than one point");
+  for (ptrdiff_t row = 0; row < 2; row++)
+    if (a->dphi) a->dphi[row * a->ld] = 0;
+  if (a->phi) a->phi[0] = 0;
+  return MLAW_OK;
+}
+
+static void expect_refused(int (*eval)(const mlaw_energy_args *), const char *words) {
+  const mlaw_energy energy = {.size = sizeof energy, .id = "stub", .title = "", .source = "", .eval = eval};
+  const LoadedLaw law = {.energy = &energy};
+  LawTiming timing;
+  Error error = {.text = "nothing"};
+  ck_assert_int_eq(law_timing(&law, &timing, &error), STATUS_FAILED);
+  ck_assert_msg(strstr(error.text, words) != NULL, "expected `%s` in `%s`", words, error.text);
+}
+
+START_TEST(a_law_that_refuses_what_it_is_timed_with_is_named) {
+  expect_refused(refuse_all, "law stub: expected the law to take some strains near rest");
+  expect_refused(refuse_batches, "law stub refuses the points of the conformance suite");
+}
+END_TEST
+
 int main(void) {
-  return suite_run("law_timing", (SuiteTests){a_law_of_every_kind_has_a_cost,
-                                              the_table_has_a_row_for_every_law_that_ships, NULL});
+  return suite_run("law_timing",
+                   (SuiteTests){a_law_of_every_kind_has_a_cost, the_table_has_a_row_for_every_law_that_ships,
+                                a_law_that_refuses_what_it_is_timed_with_is_named, NULL});
 }

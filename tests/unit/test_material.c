@@ -434,6 +434,28 @@ START_TEST(a_law_of_negative_moduli_is_refused) {
 }
 END_TEST
 
+static int give_no_reason(const mlaw_energy_args *a) {
+  a->err->point = -1;
+  a->err->text[0] = '\0';
+  return MLAW_INTERNAL;
+}
+
+START_TEST(a_law_that_fails_at_no_point_and_without_reason_is_named) {
+  Error error;
+  Strains s;
+  ptrdiff_t point = 5;
+  Material material = neo_hookean();
+  mlaw_energy mute = *material.elastic.energy;
+  mute.eval = give_no_reason;
+  material.elastic.energy = &mute;
+  ElasticBatch batch = strained(&s);
+  ck_assert_int_eq(material_elastic(&material, &batch, &point, &error), STATUS_FAILED);
+  ck_assert_str_eq(error.text, "law neo_hookean: the law gives no reason (status -3)");
+  ck_assert_int_eq(point, -1);
+  material_free(&material);
+}
+END_TEST
+
 int main(void) {
   return suite_run("material",
                    (SuiteTests){inflated_neo_hookean_membrane_has_the_tension_and_energy_of_the_paper,
@@ -460,5 +482,6 @@ int main(void) {
                                 an_elastic_material_has_no_damage_and_asks_for_no_channel,
                                 set_up_survives_the_failure_of_any_allocation,
                                 a_law_of_negative_moduli_is_refused,
+                                a_law_that_fails_at_no_point_and_without_reason_is_named,
                                 NULL});
 }
