@@ -104,14 +104,14 @@ static Verdict no_forbidden_import(const Subject *subject) {
   return result;
 }
 
-/* The library must leave subnormal numbers and the rounding direction as they are. */
-static bool subnormals_live(void) {
+bool subnormals_live(void) {
   volatile double smallest = DBL_MIN;
   volatile double half = smallest * 0.5; /* 0 when results are flushed */
   volatile double back = half * 2.0;     /* 0 when operands are */
   return half != 0.0 && back == smallest;
 }
 
+/* The library must leave subnormal numbers and the rounding direction as they are. */
 static Verdict fp_mode_unchanged(const Subject *subject) {
   const int rounding = fegetround();
   const bool alive = subnormals_live();

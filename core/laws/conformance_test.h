@@ -24,6 +24,9 @@ typedef struct {
 Verdict verdict(ConformanceOutcome outcome, const char *format, ...) PRINTF_LIKE(2, 3);
 Verdict verdict_passed(void);
 
+/* Whether subnormal numbers are neither flushed to zero nor taken for zero (conformance_load.c). */
+bool subnormals_live(void);
+
 /* Ends the test with the verdict of a part of it unless that passed. */
 #define EXPECT(call)                                                                                         \
   do {                                                                                                       \
