@@ -156,7 +156,7 @@ cleanup:
 
 static Status measure_state(const Simulation *s, RunState *state, Error *error) {
   Shape shape;
-  const Status status = shape_measure(&s->mesh, s->stepper.x, s->flow.vorticity_axis, &shape, error);
+  const Status status = shape_measure(&s->mesh, &s->symmetry, s->stepper.x, s->flow.vorticity_axis, &shape, error);
   if (status != STATUS_OK) return status;
   const double *d = membrane_accepted(s->membrane)->d;
   *state = (RunState){.t = s->motion->t,

@@ -73,23 +73,43 @@ double surface_volume(const Mesh *mesh, const double *x) {
   return surface_flux(mesh, NULL, x, x) / 3.0;
 }
 
-double surface_area(const Mesh *mesh, const double *x) {
+double surface_area(const Mesh *mesh, const Symmetry *symmetry, const double *x) {
   const P2Table table = p2_table(triangle_rule(AREA_POINTS));
-  const Elements elements = elements_of(mesh, NULL);
+  const Elements elements = elements_of(mesh, symmetry);
   double sum = 0.0;
   for (int block = 0; block < elements.n_blocks; block++) {
     SurfaceBlock positions;
     double area[SURFACE_LANES];
     gather(&elements, block, x, positions);
     surface_block_areas(&table, positions, area);
-    for (int lane = 0; lane < lanes_of(&elements, block); lane++) sum += area[lane];
+    for (int lane = 0; lane < lanes_of(&elements, block); lane++)
+      sum += size_of(&elements, block, lane) * area[lane];
   }
   return sum;
 }
 
-SurfaceMoments surface_moments(const Mesh *mesh, const double *x, const double origin[3]) {
+/* Mean over the operations of the factor that the image of an element brings to a moment of x_i or of x_i x_j
+ * (j negative: of x_i alone): 1, or 0 where the images cancel. */
+static double kept(const Symmetry *symmetry, int i, int j) {
+  double sum = 0.0;
+  for (int k = 0; k < symmetry->n_operations; k++) {
+    const double *sign = symmetry->operation[k].sign;
+    sum += j < 0 ? sign[i] : sign[i] * sign[j];
+  }
+  return sum / symmetry->n_operations;
+}
+
+static void keep_symmetric(const Symmetry *symmetry, SurfaceMoments *moments) {
+  for (int i = 0, k = 0; i < 3; i++) {
+    moments->first[i] *= kept(symmetry, i, -1);
+    for (int j = i; j < 3; j++) moments->second[k++] *= kept(symmetry, i, j);
+  }
+}
+
+SurfaceMoments surface_moments(const Mesh *mesh, const Symmetry *symmetry, const double *x,
+                               const double origin[3]) {
   const P2Table table = p2_table(triangle_rule(MOMENT_POINTS));
-  const Elements elements = elements_of(mesh, NULL);
+  const Elements elements = elements_of(mesh, symmetry);
   double sum[SURFACE_MOMENTS] = {0};
   for (int block = 0; block < elements.n_blocks; block++) {
     SurfaceBlock positions;
@@ -97,11 +117,13 @@ SurfaceMoments surface_moments(const Mesh *mesh, const double *x, const double o
     gather(&elements, block, x, positions);
     surface_block_moments(&table, positions, origin, moment);
     for (int k = 0; k < SURFACE_MOMENTS; k++)
-      for (int lane = 0; lane < lanes_of(&elements, block); lane++) sum[k] += moment[k][lane];
+      for (int lane = 0; lane < lanes_of(&elements, block); lane++)
+        sum[k] += size_of(&elements, block, lane) * moment[k][lane];
   }
   SurfaceMoments moments = {.volume = sum[0]};
   memcpy(moments.first, sum + 1, sizeof moments.first);
   memcpy(moments.second, sum + 4, sizeof moments.second);
+  if (symmetry) keep_symmetric(symmetry, &moments);
   return moments;
 }
 

@@ -10,10 +10,14 @@
 /* Below this D12 the direction of e1 is round-off. */
 static const double ROUND_SHAPE = 1e-10;
 
-static void mean_position(const Mesh *mesh, const double *x, double mean[3]) {
+/* Without the round-off that would take it off the planes of symmetry. */
+static void mean_position(const Mesh *mesh, const Symmetry *symmetry, const double *x, double mean[3]) {
   for (int i = 0; i < 3; i++) mean[i] = 0.0;
   for (int p = 0; p < mesh->n_nodes; p++)
     for (int i = 0; i < 3; i++) mean[i] += x[3 * p + i] / mesh->n_nodes;
+  for (int k = 0; symmetry && k < symmetry->n_operations; k++)
+    for (int i = 0; i < 3; i++)
+      if (symmetry->operation[k].sign[i] < 0) mean[i] = 0.0;
 }
 
 /* Moves second moments from the origin to the centre of the volume, at `center` from there. */
@@ -66,11 +70,11 @@ static void name_axes(const double semi_axis[3], double vector[3][3], const doub
   vec3_cross(shape->e3, shape->e1, shape->e2);
 }
 
-Status shape_measure(const Mesh *mesh, const double *x, const double vorticity_axis[3], Shape *shape,
-                     Error *error) {
+Status shape_measure(const Mesh *mesh, const Symmetry *symmetry, const double *x,
+                     const double vorticity_axis[3], Shape *shape, Error *error) {
   double origin[3], center[3], value[3], vector[3][3], semi_axis[3];
-  mean_position(mesh, x, origin); /* near the centre, so that moving the moments loses no digits */
-  SurfaceMoments moments = surface_moments(mesh, x, origin);
+  mean_position(mesh, symmetry, x, origin); /* near the centre, so that moving the moments loses no digits */
+  SurfaceMoments moments = surface_moments(mesh, symmetry, x, origin);
   for (int i = 0; i < 3; i++) {
     center[i] = moments.first[i] / moments.volume;
     shape->center[i] = origin[i] + center[i];
@@ -87,7 +91,7 @@ Status shape_measure(const Mesh *mesh, const double *x, const double vorticity_a
         "shape of the capsule: expected a positive volume and positive second moments, found %g and %g",
         moments.volume, value[0]);
   shape->volume = moments.volume;
-  shape->area = surface_area(mesh, x);
+  shape->area = surface_area(mesh, symmetry, x);
   for (int k = 0; k < 3; k++) semi_axis[k] = sqrt(5.0 * value[k] / moments.volume);
   name_axes(semi_axis, vector, vorticity_axis, shape);
   return STATUS_OK;

@@ -4,6 +4,7 @@
 
 #include "base/status.h"
 #include "mesh/mesh.h"
+#include "mesh/symmetry.h"
 
 /* All dimensionless by a.  The ellipsoid has the mass and the inertia tensor of the enclosed volume: its
  * squared semi-axes are 5/V times the principal second moments.  L3 belongs to the axis nearest to the
@@ -19,9 +20,10 @@ typedef struct {
   double beta;                /* angle of e1, radians, in (-pi/2, pi/2]; NAN while D12 < 1e-10 */
 } Shape;
 
-/* Volume, area and ellipsoid of positions x [n_nodes][3].  Volume and second moments are integrated exactly
- * (polynomial integrands of degree 4 and 8).  STATUS_REJECT when x is not finite or encloses no volume. */
-Status shape_measure(const Mesh *mesh, const double *x, const double vorticity_axis[3], Shape *shape,
-                     Error *error);
+/* Volume, area and ellipsoid of positions x [n_nodes][3], which have the symmetry (NULL: none).  Volume and
+ * second moments are integrated exactly (polynomial integrands of degree 4 and 8).  STATUS_REJECT when x is
+ * not finite or encloses no volume. */
+Status shape_measure(const Mesh *mesh, const Symmetry *symmetry, const double *x,
+                     const double vorticity_axis[3], Shape *shape, Error *error);
 
 #endif

@@ -91,7 +91,7 @@ static Status find_newest(const char *folder, Text *path, Error *error) {
 /* From e_1 to the right and the vorticity axis e_y up: along e_2. */
 static Status aim_transverse(State *state, Error *error) {
   Shape shape;
-  const Status status = shape_measure(&state->mesh, state->x, (const double[]){0, 1, 0}, &shape, error);
+  const Status status = shape_measure(&state->mesh, NULL, state->x, (const double[]){0, 1, 0}, &shape, error);
   if (status != STATUS_OK) return status;
   state->transverse = (PictureView){.up = {0, 1, 0}};
   vec3_cross(isnan(shape.beta) ? (const double[]){1, 0, 0} : shape.e1, state->transverse.up,

@@ -49,7 +49,7 @@ static Status put_shape(const Surfaces *s, const SnapshotGrid *grid) {
   Shape shape;
   flow_axis(s, axis);
   const Status status =
-      shape_measure(&mesh, snapshot_grid_find(grid, "x")->values, axis, &shape, s->page->error);
+      shape_measure(&mesh, NULL, snapshot_grid_find(grid, "x")->values, axis, &shape, s->page->error);
   if (status != STATUS_OK) return status;
   const bool has_axes = !is_inflation(s) && !isnan(shape.beta);
   json_numbers(json, "center", shape.center, 3);

@@ -167,7 +167,7 @@ void record_peak(const Record *record, double X[3], double x[3]) {
 
 Status record_shape(const Record *record, Shape *shape, Error *error) {
   const Simulation *s = record->simulation;
-  return shape_measure(&s->mesh, record->x, s->flow.vorticity_axis, shape, error);
+  return shape_measure(&s->mesh, &s->symmetry, record->x, s->flow.vorticity_axis, shape, error);
 }
 
 Site record_site(const Record *record, const Shape *shape, int k) {

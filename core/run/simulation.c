@@ -150,7 +150,7 @@ static Status build_mesh(Simulation *s, Error *error) {
   for (int c = 0; c < 3; c++) rotation.axis[c] = s->scene->mesh.rotation_axis[c];
   TRY(mesh_sphere(&s->mesh, s->scene->mesh.subdivisions, rotation.angle != 0 ? &rotation : NULL, error));
   if (s->scene->mesh.jitter > 0) mesh_jitter(&s->mesh, s->scene->mesh.jitter, s->scene->mesh.seed);
-  s->area0 = surface_area(&s->mesh, s->mesh.X);
+  s->area0 = surface_area(&s->mesh, NULL, s->mesh.X);
 cleanup:
   return status;
 }

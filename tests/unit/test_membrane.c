@@ -84,7 +84,7 @@ static void pressure_errors(int subdivisions, double stretch, double *average, d
   must_force(&shell, x, R);
   must_load(&shell, R, q);
   surface_area_vectors(&shell.mesh, NULL, x, A);
-  *average = dot(shell.n, q, A) / surface_area(&shell.mesh, x) / exact.p - 1;
+  *average = dot(shell.n, q, A) / surface_area(&shell.mesh, NULL, x) / exact.p - 1;
   *nodal = 0;
   for (int p = 0; p < shell.mesh.n_nodes; p++) {
     double gap[3];

@@ -121,8 +121,8 @@ START_TEST(area_weights_integrate_over_the_reference_and_over_the_current_surfac
     current += points.dS0[k] * points.J[k];
   }
   /* six points against the rule of surface_area, at 1280 elements */
-  ck_assert_double_eq_tol(reference / surface_area(&shell.mesh, shell.mesh.X), 1, 1e-6);
-  ck_assert_double_eq_tol(current / surface_area(&shell.mesh, x), 1, 1e-5);
+  ck_assert_double_eq_tol(reference / surface_area(&shell.mesh, NULL, shell.mesh.X), 1, 1e-6);
+  ck_assert_double_eq_tol(current / surface_area(&shell.mesh, NULL, x), 1, 1e-5);
   free(x);
   free(R);
   shell_close(&shell);

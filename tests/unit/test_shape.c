@@ -20,7 +20,7 @@ static Mesh sphere(int subdivisions) {
 static Shape measure(const Mesh *mesh, const double *x, const double vorticity_axis[3]) {
   Shape shape;
   Error error;
-  ck_assert_int_eq(shape_measure(mesh, x, vorticity_axis, &shape, &error), STATUS_OK);
+  ck_assert_int_eq(shape_measure(mesh, NULL, x, vorticity_axis, &shape, &error), STATUS_OK);
   return shape;
 }
 
@@ -198,10 +198,46 @@ START_TEST(what_has_no_shape_is_rejected) {
   Shape shape;
   Error error;
   double *x = turned_ellipsoid(&mesh, (const double[3]){1.0, 1.0, -1.0}, 0.0); /* inside out */
-  ck_assert_int_eq(shape_measure(&mesh, x, e_y, &shape, &error), STATUS_REJECT);
+  ck_assert_int_eq(shape_measure(&mesh, NULL, x, e_y, &shape, &error), STATUS_REJECT);
   x[7] = NAN;
-  ck_assert_int_eq(shape_measure(&mesh, x, e_y, &shape, &error), STATUS_REJECT);
+  ck_assert_int_eq(shape_measure(&mesh, NULL, x, e_y, &shape, &error), STATUS_REJECT);
   ck_assert_ptr_nonnull(strstr(error.text, "shape"));
+  free(x);
+  mesh_free(&mesh);
+}
+END_TEST
+
+/* Both ways to measure; `operations`: how many the shape has. */
+static void check_symmetric(const Mesh *mesh, const double *x, int operations) {
+  Symmetry symmetry;
+  Shape whole = measure(mesh, x, e_y), part;
+  Error error;
+  ck_assert_int_eq(symmetry_find(&symmetry, mesh, x, NULL, &error), STATUS_OK);
+  ck_assert_int_eq(symmetry.n_operations, operations);
+  ck_assert_int_eq(shape_measure(mesh, &symmetry, x, e_y, &part, &error), STATUS_OK);
+  /* round-off of sums over the elements in another order */
+  ck_assert_double_eq_tol(part.volume, whole.volume, 1e-13);
+  ck_assert_double_eq_tol(part.area, whole.area, 1e-13);
+  ck_assert_double_eq_tol(part.L1, whole.L1, 1e-13);
+  ck_assert_double_eq_tol(part.L2, whole.L2, 1e-13);
+  ck_assert_double_eq_tol(part.L3, whole.L3, 1e-13);
+  ck_assert_double_eq_tol(part.beta, whole.beta, 1e-12);
+  for (int i = 0; i < 3; i++) ck_assert_double_eq_tol(part.center[i], whole.center[i], 1e-13);
+  symmetry_free(&symmetry);
+}
+
+START_TEST(one_element_of_each_orbit_is_enough) {
+  Mesh mesh = sphere(2);
+  double *x = malloc(3 * (size_t)mesh.n_nodes * sizeof *x);
+  ck_assert_ptr_nonnull(x);
+  const double axes[3] = {2.0, 1.0, 0.5}, shear = 0.4;
+  for (int p = 0; p < mesh.n_nodes; p++)
+    for (int i = 0; i < 3; i++) x[3 * p + i] = axes[i] * mesh.X[3 * p + i];
+  check_symmetric(&mesh, x, 8);
+  for (int p = 0; p < mesh.n_nodes; p++) x[3 * p] += shear * x[3 * p + 2]; /* as in a simple shear */
+  check_symmetric(&mesh, x, 4);
+  for (int p = 0; p < mesh.n_nodes; p++) x[3 * p] += 0.25; /* only the mirror along y is left */
+  check_symmetric(&mesh, x, 2);
   free(x);
   mesh_free(&mesh);
 }
@@ -215,5 +251,5 @@ int main(void) {
                                 angle_counts_towards_the_shear_direction_for_either_sense_of_vorticity,
                                 position_and_scale_are_taken_out,
                                 moments_of_an_irregular_surface_are_integrated_exactly,
-                                what_has_no_shape_is_rejected, NULL});
+                                what_has_no_shape_is_rejected, one_element_of_each_orbit_is_enough, NULL});
 }
