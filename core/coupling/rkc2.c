@@ -28,10 +28,7 @@ static Status step(const Rhs *rhs, int stages, double t, double h, const double 
     if (status != STATUS_OK) return status;
     terms = stages_next(&recurrence);
     stage_sum(&terms, h, n, x0, f0, last, before, f, next);
-    double *free_array = before;
-    before = last;
-    last = next;
-    next = free_array;
+    stages_turn(&before, &last, &next);
   }
   if (last != x1) memcpy(x1, last, (size_t)n * sizeof *x1);
   return STATUS_OK;

@@ -84,10 +84,7 @@ static void run_stages(Fit *fit) {
     f = fit->F + k * n;
     for (int i = 0; i < n; i++) f[i] = z[i] * next[i];
     fit->times[k] = terms.time;
-    double *free_array = before;
-    before = last;
-    last = next;
-    next = free_array;
+    stages_turn(&before, &last, &next);
   }
 }
 
@@ -168,10 +165,7 @@ static Status step(const Rhs *rhs, int stages, double t, double h, const double 
     if (j == stages - 1) break;
     terms = stages_next(&recurrence);
     stage_sum(&terms, h, n, x0, f0, last, before, f, next);
-    double *free_array = before;
-    before = last;
-    last = next;
-    next = free_array;
+    stages_turn(&before, &last, &next);
   }
   return STATUS_OK;
 }

@@ -61,3 +61,10 @@ void stage_sum(const StageTerms *terms, double h, int n, const double *x0, const
   for (int i = 0; i < n; i++)
     next[i] = c.x0 * x0[i] + c.last * last[i] + c.before * before[i] + c.f * h * f[i] + c.f0 * h * f0[i];
 }
+
+void stages_turn(double **before, double **last, double **next) {
+  double *free_array = *before;
+  *before = *last;
+  *last = *next;
+  *next = free_array;
+}

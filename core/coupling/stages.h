@@ -38,4 +38,8 @@ StageTerms stages_next(Stages *stages);
 void stage_sum(const StageTerms *terms, double h, int n, const double *x0, const double *f0,
                const double *last, const double *before, const double *f, double *next);
 
+/* After a stage: it is the last one now, the last is the one before, and the array of that is free for the
+ * next. */
+void stages_turn(double **before, double **last, double **next);
+
 #endif
