@@ -94,6 +94,13 @@ void membrane_nodal_field(const Membrane *membrane, const double *point_values, 
 
 /* Elastic energy int (1 - d) phi dS0 of the last evaluation. */
 double membrane_energy(const Membrane *membrane);
+/* Energy per reference area that damage releases where it grows, and damage, [n_points] each; NULL without a
+ * damage law. */
+typedef struct {
+  const double *Y, *d;
+} MembraneRelease;
+MembraneRelease membrane_release_accepted(const Membrane *membrane);
+MembraneRelease membrane_release_trial(const Membrane *membrane);
 /* int Y dd dS0 between the accepted state and the trial one (trapezoid in Y; exact for d linear in Y). */
 double membrane_dissipation(const Membrane *membrane);
 

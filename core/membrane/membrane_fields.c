@@ -90,17 +90,28 @@ double membrane_energy(const Membrane *m) {
   return sum;
 }
 
+static MembraneRelease release(const Membrane *m, const MembraneHistory *history) {
+  if (!m->has_damage) return (MembraneRelease){0};
+  const double *Y = m->channel_history ? history->channel[MLAW_Y] : history->Ymax;
+  /* What is released at a point is its own energy, whatever drives its damage. */
+  if (m->is_nonlocal) Y = history == &m->trial ? m->phi : history->Y;
+  return (MembraneRelease){Y, history->d};
+}
+
+MembraneRelease membrane_release_accepted(const Membrane *m) {
+  return release(m, &m->accepted);
+}
+
+MembraneRelease membrane_release_trial(const Membrane *m) {
+  return release(m, &m->trial);
+}
+
 double membrane_dissipation(const Membrane *m) {
   if (!m->has_damage) return 0;
-  const double *Y0 = m->channel_history ? m->accepted.channel[MLAW_Y] : m->accepted.Ymax;
-  const double *Y1 = m->channel_history ? m->trial.channel[MLAW_Y] : m->trial.Ymax;
-  if (m->is_nonlocal) { /* what is released at a point is its own energy, whatever drives its damage */
-    Y0 = m->accepted.Y;
-    Y1 = m->phi;
-  }
+  const MembraneRelease before = release(m, &m->accepted), now = release(m, &m->trial);
   double sum = 0;
   for (int k = 0; k < m->n_points; k++)
-    sum += 0.5 * (Y0[k] + Y1[k]) * (m->trial.d[k] - m->accepted.d[k]) * m->weight[k];
+    sum += 0.5 * (before.Y[k] + now.Y[k]) * (now.d[k] - before.d[k]) * m->weight[k];
   return sum;
 }
 

@@ -25,9 +25,9 @@ static Status stop_at_rupture(Record *record, Error *error) {
   Status status = STATUS_OK;
   Motion *motion = record->simulation->motion;
   const double t_l = record->data.t_l;
-  TRY(march_renew_load(record, t_l, error));
   motion->shorten(motion, t_l);
-  record->t1 = t_l;
+  TRY(record_step(record, t_l, error));
+  TRY(march_renew_load(record, t_l, error));
 cleanup:
   return status;
 }

@@ -6,6 +6,38 @@
 #include <math.h>
 #include <string.h>
 
+/* What the balance may leave over in a part of a step, of time.tolerance, relative to the largest energy. */
+static const double BALANCE_SHARE = 0.1;
+
+/* ---- what the energy balance sees, in the units of the law ---- */
+
+static double power(const Record *record, const double *R) {
+  double sum = 0;
+  for (int i = 0; i < 3 * record->simulation->mesh.n_nodes; i++) sum += R[i] * record->v[i];
+  return sum;
+}
+
+static Status look(void *context, double t, Instant *instant, Error *error) {
+  Record *record = context;
+  const Membrane *membrane = record->simulation->membrane;
+  const Status status = record_probe(record, t, error);
+  if (status != STATUS_OK) return status;
+  const MembraneRelease release = membrane_release_trial(membrane);
+  *instant = (Instant){t, power(record, record->R), membrane_energy(membrane), release.Y, release.d};
+  return STATUS_OK;
+}
+
+/* The accepted state as the start of the proposed step: the velocity may jump there. */
+static Instant step_start(Record *record) {
+  const Simulation *s = record->simulation;
+  const double t = s->motion->t;
+  s->motion->at(s->motion, t, record->x, record->v);
+  const MembraneRelease release = membrane_release_accepted(s->membrane);
+  return (Instant){t, power(record, record->R0), record->stored0, release.Y, release.d};
+}
+
+/* ---- life ---- */
+
 Status record_new(Record *record, Simulation *s, Error *error) {
   Status status = STATUS_OK;
   const size_t n = 3 * (size_t)s->mesh.n_nodes, points = (size_t)membrane_points(s->membrane);
@@ -21,6 +53,10 @@ Status record_new(Record *record, Simulation *s, Error *error) {
     TRY(ARRAY_NEW(&record->area_vector, n, error));
     TRY(ARRAY_NEW(&record->load, n, error));
   }
+  TRY(balance_new(&record->balance, material_has_damage(&s->material) ? (int)points : 0, error));
+  record->balance.look = look;
+  record->balance.context = record;
+  record->balance.area = membrane_points_view(s->membrane).dS0;
   TRY(criteria_new(&record->criteria, s, error));
 cleanup:
   if (status != STATUS_OK) record_free(record);
@@ -36,28 +72,19 @@ void record_free(Record *record) {
   array_free(record->T2);
   array_free(record->area_vector);
   array_free(record->load);
+  balance_free(&record->balance);
   criteria_free(&record->criteria);
   *record = (Record){0};
 }
 
-/* ---- energies ---- */
+/* ---- energies up to the probed time, in units of G_s a^2 ---- */
 
-/* Power of the load, R . v, in units of G_s a^2 rate. */
-static double power(const Record *record, const double *R) {
-  double sum = 0;
-  for (int i = 0; i < 3 * record->simulation->mesh.n_nodes; i++) sum += R[i] * record->v[i];
-  return sum / record->simulation->material.shear_modulus;
-}
-
-/* Work of the fluid on the membrane up to the probed time: the integral of R . dx/dt along the motion that
- * was computed, by the power at the ends and at the middle of each step (Simpson's rule).  With the velocity
- * of the flow in place of dx/dt at the middle, what is left over would be the work of the error of the time
- * integrator, which a capsule that tank-treads adds up without end. */
+/* Of the fluid on the membrane. */
 static double work_done(const Record *record) {
-  const double h = record->probed_t - record->simulation->motion->t;
-  if (h == 0) return record->data.work;
-  const double P = power(record, record->R);
-  return record->data.work + 0.5 * h * (record->power0 + P) - h * h * h / 6 * record->curvature;
+  const Simulation *s = record->simulation;
+  const RecordData *data = &record->data;
+  if (record->probed_t == s->motion->t) return data->work;
+  return data->work + balance_work(&record->balance, record->probed_t) / s->material.shear_modulus;
 }
 
 static double stored(const Record *record) {
@@ -67,10 +94,11 @@ static double stored(const Record *record) {
 
 static double dissipated(const Record *record) {
   const Simulation *s = record->simulation;
-  return record->data.dissipated + membrane_dissipation(s->membrane) / s->material.shear_modulus;
+  const bool is_end = record->probed_t == record->t1 && record->t1 > s->motion->t;
+  const double of_step = is_end ? record->balance.dissipated : membrane_dissipation(s->membrane);
+  return record->data.dissipated + of_step / s->material.shear_modulus;
 }
 
-/* At the probed time, in units of G_s a^2. */
 typedef struct {
   double stored, dissipated, work;
   double scale; /* the largest of them so far */
@@ -90,14 +118,16 @@ static double energy_error(Energies e) {
 
 /* ---- probing ---- */
 
-static void keep_force(Record *record) {
+/* What the next step starts from. */
+static void keep_start(Record *record) {
   memcpy(record->R0, record->R, 3 * (size_t)record->simulation->mesh.n_nodes * sizeof *record->R);
+  record->stored0 = membrane_energy(record->simulation->membrane);
 }
 
 Status record_begin(Record *record, bool restored, Error *error) {
   const Status status = record_probe(record, record->simulation->motion->t, error);
   if (status != STATUS_OK) return status;
-  keep_force(record);
+  keep_start(record);
   record->t1 = record->probed_t;
   if (restored) return STATUS_OK;
   record->data.work = stored(record) + dissipated(record); /* an inflation may start inflated */
@@ -119,25 +149,13 @@ Status record_probe(Record *record, double t, Error *error) {
   return status;
 }
 
-/* Curvature of the power from its values at both ends of the step and at the middle. */
-static Status measure_curvature(Record *record, Error *error) {
-  const double h = record->t1 - record->simulation->motion->t, P1 = power(record, record->R);
-  Status status = STATUS_OK;
-  TRY(record_probe(record, record->t1 - 0.5 * h, error));
-  record->curvature = 2 * (record->power0 - 2 * power(record, record->R) + P1) / (h * h);
-  TRY(record_probe(record, record->t1, error));
-cleanup:
-  return status;
-}
-
 Status record_step(Record *record, double t1, Error *error) {
   const Simulation *s = record->simulation;
-  s->motion->at(s->motion, s->motion->t, record->x, record->v);
-  record->power0 = power(record, record->R0);
-  record->t1 = record->probed_t = t1;
-  s->motion->at(s->motion, t1, record->x, record->v);
-  memcpy(record->R, s->motion->R, 3 * (size_t)s->mesh.n_nodes * sizeof *record->R);
-  return measure_curvature(record, error);
+  const Instant start = step_start(record);
+  record->t1 = t1;
+  record->probed_t = NAN; /* the motion is another */
+  return balance_step(&record->balance, &start, t1, BALANCE_SHARE * s->scene->time.tolerance,
+                      record->data.energy_scale * s->material.shear_modulus, error);
 }
 
 /* ---- extremes ---- */
@@ -317,7 +335,7 @@ Status record_advance(Record *record, Error *error) {
   data->Y_max = largest_release_rate(record);
   data->dissipated = energy.dissipated;
   data->work = energy.work;
-  keep_force(record);
+  keep_start(record);
 cleanup:
   return status;
 }

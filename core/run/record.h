@@ -9,6 +9,7 @@
 #include "observe/history.h"
 #include "observe/shape.h"
 #include "observe/summary.h"
+#include "run/balance.h"
 #include "run/criteria.h"
 #include "run/simulation.h"
 
@@ -34,8 +35,8 @@ struct Record {
   double probed_t;            /* time of the membrane's trial state; NAN: not in the proposed step */
   double *x, *v, *R;          /* [n_nodes][3] at the probed time */
   double *R0;                 /* [n_nodes][3] at the accepted time */
-  double power0;              /* R0 . v at the start of the proposed step */
-  double curvature;           /* half the second derivative of the power over the step */
+  double stored0;             /* elastic energy there, in the units of the law */
+  Balance balance;            /* of the proposed step */
   double *T1, *T2;            /* [n_points] scratch */
   double *area_vector, *load; /* [n_nodes][3] scratch of an inflation, NULL otherwise */
   double t1;                  /* end of the proposed step */
@@ -47,7 +48,8 @@ void record_free(Record *record);
 /* The simulation stands at its start, or has been restored from a snapshot (`data` then too). */
 Status record_begin(Record *record, bool restored, Error *error);
 
-/* A step from the accepted time to t1 has been proposed; the membrane's trial state is at t1. */
+/* A step from the accepted time to t1 has been proposed (or made shorter): takes its energy balance and
+ * leaves the probe at t1. */
 Status record_step(Record *record, double t1, Error *error);
 
 /* Puts x, v, R and the membrane's trial state at time t of the proposed step. */
