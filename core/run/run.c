@@ -98,7 +98,8 @@ static Status start(Run *run, Error *error) {
     TRY(record_begin(&run->record, true, error));
     goto cleanup;
   }
-  if (run->options->resume) log_note(&run->log, "no snapshot to resume from: starting anew");
+  if (run->options->resume)
+    log_warning(&run->log, "%s holds no snapshot to resume from: the run starts anew", run->output.folder);
   TRY(simulation_start(&run->simulation, error));
   if (!simulation_is_inflation(&run->simulation))
     log_note(&run->log, "spectral radius %.4g: steps of %s are stable up to %.3g",

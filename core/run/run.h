@@ -14,8 +14,8 @@ typedef struct {
   const char *const *sets; /* "key.path=value" */
   size_t n_sets;
   const char *folder; /* where results go; NULL: results/NAME */
-  bool resume;        /* from the newest whole snapshot of the folder, if it has one */
-  int threads;        /* 0: all */
+  bool resume; /* from the newest whole snapshot of the folder; anew, with a warning, when it has none */
+  int threads; /* 0: all */
   bool quiet;
   FILE *progress; /* may be NULL */
   const volatile int

@@ -112,3 +112,16 @@ code=0
 kill -9 $process 2>/dev/null || true
 wait $process 2>/dev/null || true
 [ $code = 1 ] && grep -q 'another run' message || fail "a second run in a folder: $code $(cat message)"
+
+# A folder that is not there, is empty, or has rows but no snapshot: the run starts anew, and says so on the terminal.
+loud() { "$capsella" run "$root/configs/shear_quick.yaml" --threads 1 --set time.end=0.02 --set output.report=false "$@" 2>said; }
+loud -o begun
+mkdir empty
+mkdir rows && cp begun/history.csv begun/resolved.yaml rows
+for folder in missing empty rows; do
+  loud -o $folder --resume || fail "$folder: $(cat said)"
+  grep -q "^warning: $folder holds no snapshot to resume from: the run starts anew$" said || fail "$folder: said $(cat said)"
+  same begun/history.csv $folder/history.csv "history of a run that had nothing to resume from"
+done
+loud -o begun --resume
+! grep -q 'starts anew' said || fail "a run that goes on says that it starts anew"
