@@ -1,5 +1,5 @@
 # One case: how it ended, how far it is from the finer computation, and whether that may be.  Prints
-#   ID | GROUP | good or BAD | outcome | difference of D12 | of d_max | of t_l | energy | volume | why | settings
+#   ID | GROUP | good or BAD | outcome | difference of D12 | of d_max | of t_l | energy | volume | why | settings | D12 | d_max
 function trim(text) { gsub(/^ +| +$/, "", text); return text }
 function number(text) { return text == "" || text == "null" ? "" : text + 0 }
 function apart(x, y) { return x > y ? x - y : y - x }
@@ -105,6 +105,7 @@ BEGIN {
       }
     }
   }
-  printf "%s | %s | %s | %s | %s | %s | %s | %s | %s | %s | %s\n", id, group, why == "" ? "good" : "BAD", outcome,
-    dD, dd, dt, number(value[a, "energy_error_max"]), number(value[a, "volume_error_max"]), why, sets
+  printf "%s | %s | %s | %s | %s | %s | %s | %s | %s | %s | %s | %s | %s\n", id, group, why == "" ? "good" : "BAD", outcome,
+    dD, dd, dt, number(value[a, "energy_error_max"]), number(value[a, "volume_error_max"]), why, sets,
+    value[a, "D12"], value[a, "d_max"]
 }
