@@ -40,6 +40,12 @@ Status system_use_coarse(CoupledSystem *system, CoarseLayer *coarse, Error *erro
   return ARRAY_NEW(&system->lack, 3 * (size_t)system->mesh->n_nodes, error);
 }
 
+bool system_sum_in_full(CoupledSystem *system) {
+  const bool is_change = system->coarse != NULL;
+  system->coarse = NULL;
+  return is_change;
+}
+
 static double flux(const CoupledSystem *system, const double *v) {
   double sum = 0;
   for (int i = 0; i < 3 * system->mesh->n_nodes; i++) sum += system->A[i] * v[i];
@@ -135,6 +141,7 @@ cleanup:
 static Status open_step(void *context, const double *x, double t, const double *f, Error *error) {
   Status status = STATUS_OK;
   CoupledSystem *system = context;
+  if (!system->coarse) return STATUS_OK;
   coarse_layer_settle(system->coarse);
   TRY(coarse_velocity(system, x, t, 0, system->lack, error));
   for (int i = 0; i < 3 * system->mesh->n_nodes; i++) system->lack[i] = f[i] - system->lack[i];
@@ -145,6 +152,7 @@ cleanup:
 static Status evaluate_stage(void *context, const double *x, double t, double dt, double *f, Error *error) {
   Status status = STATUS_OK;
   CoupledSystem *system = context;
+  if (!system->coarse) return system_velocity(system, x, t, dt, f, error);
   TRY(coarse_velocity(system, x, t, dt, f, error));
   for (int i = 0; i < 3 * system->mesh->n_nodes; i++) f[i] += system->lack[i];
   TRY(check_finite(system, f, error));

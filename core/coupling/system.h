@@ -43,6 +43,8 @@ void system_free(CoupledSystem *system);
 /* From now on the inner stages of a step sum over `coarse` and add what that lacked at the step's start
  * (docs/decisions/stages.md). */
 Status system_use_coarse(CoupledSystem *system, CoarseLayer *coarse, Error *error);
+/* From the next step on they are summed as all else.  Returns whether that is a change. */
+bool system_sum_in_full(CoupledSystem *system);
 
 /* v [n_nodes][3] at positions x and time t + dt; the membrane holds the trial history that belongs to it. */
 Status system_velocity(CoupledSystem *system, const double *x, double t, double dt, double *v, Error *error);

@@ -29,7 +29,9 @@ typedef struct {
   Site rupture;                 /* where, if has_rupture */
   double damaged_area_fraction; /* then, of the reference area with d > 0 */
   double energy_error_max;
-  double step_error_max;    /* largest error of a step, as time.tolerance; NAN: steps are prescribed */
+  double step_error_max; /* largest error of a step, as time.tolerance; NAN: steps are prescribed */
+  double film_min; /* thinnest film between two parts of the membrane, in widths of the elements there; NAN:
+                      none thinner than an element is wide */
   long long unstable_steps; /* steps beyond the stability limit, which time.allow_unstable let pass */
   long long steps, rejected_steps;
   long long evaluations, stage_evaluations; /* of the velocity: all, and those of them by the coarse rule */

@@ -1,5 +1,7 @@
 #include "run/march.h"
 
+#include "run/contact_guard.h"
+
 #include <math.h>
 
 /* A run is steady when its rates have stayed below stop.steady for this long. */
@@ -42,6 +44,7 @@ Status march_propose(Record *record, double t_limit, Log *log, bool *ruptured, E
 
   const bool was_whole = isnan(record->data.t_l);
   TRY(record_events(record, error));
+  TRY(contact_guard(record, log, error));
   if (!was_whole || isnan(record->data.t_l)) goto cleanup;
   log_note(log, "rupture at t = %.6g", record->data.t_l);
   *ruptured = s->scene->stop.rupture == RUPTURE_STOP;

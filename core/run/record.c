@@ -42,7 +42,7 @@ Status record_new(Record *record, Simulation *s, Error *error) {
   Status status = STATUS_OK;
   const size_t n = 3 * (size_t)s->mesh.n_nodes, points = (size_t)membrane_points(s->membrane);
   *record = (Record){.simulation = s, .probed_t = NAN};
-  record->data = (RecordData){.t_c = NAN, .t_l = NAN, .steady_since = NAN, .sample_t = NAN};
+  record->data = (RecordData){.t_c = NAN, .t_l = NAN, .steady_since = NAN, .sample_t = NAN, .film_min = NAN};
   TRY(ARRAY_NEW(&record->x, n, error));
   TRY(ARRAY_NEW(&record->v, n, error));
   TRY(ARRAY_NEW(&record->R, n, error));
@@ -52,6 +52,8 @@ Status record_new(Record *record, Simulation *s, Error *error) {
   if (simulation_is_inflation(s)) {
     TRY(ARRAY_NEW(&record->area_vector, n, error));
     TRY(ARRAY_NEW(&record->load, n, error));
+  } else {
+    TRY(contact_search_new(&record->contact, &s->mesh, error));
   }
   TRY(balance_new(&record->balance, material_has_damage(&s->material) ? (int)points : 0, error));
   record->balance.look = look;
@@ -74,6 +76,7 @@ void record_free(Record *record) {
   array_free(record->load);
   balance_free(&record->balance);
   criteria_free(&record->criteria);
+  contact_search_free(record->contact);
   *record = (Record){0};
 }
 
@@ -365,6 +368,7 @@ Status record_summary(Record *record, Summary *summary, Error *error) {
       .t_l = data->t_l,
       .has_rupture = !isnan(data->t_l),
       .energy_error_max = data->energy_error_max,
+      .film_min = data->film_min,
       .elements = s->mesh.n_elements,
       .nodes = s->mesh.n_nodes,
       .skipped = s->skipped,

@@ -6,6 +6,7 @@
 #define CAPSELLA_RUN_RECORD_H
 
 #include "base/status.h"
+#include "mesh/contact.h"
 #include "observe/history.h"
 #include "observe/shape.h"
 #include "observe/summary.h"
@@ -26,12 +27,16 @@ typedef struct {
   double steady_since; /* start of the time over which rates stayed below stop.steady; NAN: not now */
   double sample_t, sample_D12, sample_d_max; /* of the last sample */
   double wall_seconds;                       /* of earlier processes of this run */
+  double film_min;    /* thinnest film between two parts of the membrane, in widths of the elements there
+                         (mesh/contact.h); NAN:    none thinner than an element is wide */
+  double contact_due; /* evaluations at which it is looked for again */
 } RecordData;
 
 struct Record {
   Simulation *simulation;
   RecordData data;
   Criteria criteria;
+  ContactSearch *contact;     /* NULL: no fluid moves the membrane */
   double probed_t;            /* time of the membrane's trial state; NAN: not in the proposed step */
   double *x, *v, *R;          /* [n_nodes][3] at the probed time */
   double *R0;                 /* [n_nodes][3] at the accepted time */

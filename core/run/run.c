@@ -5,6 +5,7 @@
 #include "base/log.h"
 #include "base/timer.h"
 #include "observe/progress.h"
+#include "run/contact_guard.h"
 #include "run/march.h"
 #include "run/output.h"
 #include "run/record.h"
@@ -96,6 +97,7 @@ static Status start(Run *run, Error *error) {
   if (found) {
     log_note(&run->log, "resumed at t = %g", run->simulation.motion->t);
     TRY(record_begin(&run->record, true, error));
+    contact_guard_resume(&run->record);
     goto cleanup;
   }
   if (run->options->resume)

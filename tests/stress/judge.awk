@@ -38,6 +38,7 @@ function is_finite(name,   line, n, cell, i, head) {
 function cause(text) {
   if (text ~ /is inverted/) return "inverted"
   if (text ~ /has collapsed/) return "collapsed"
+  if (text ~ /the membrane (touches|crosses) itself/) return "contact"
   if (text ~ /stability limit/) return "unstable step"
   if (text ~ /times the tolerance/) return "error of the step"
   if (text ~ /law [a-z_]+: /) return "law"

@@ -162,6 +162,9 @@ END {
   print "- Deflated starts are compressed all over and wrinkle at once: D12 is good to 1e-2 only, and at half the radius"
   print "  elements fold.  Discs 27 times as wide as thick fold on 80 elements, those 50 times as wide on 320."
   print "- Fixed steps of rkc2 are stable at any length; those whose error is far above `time.tolerance` are warned of."
+  print "- Where two parts of the membrane come nearer to each other than half the width of an element, the flow between them is"
+  print "  that of the mesh; the log says so, and `film_min` in the summary.  A membrane that touches or crosses itself ends the"
+  print "  run ([contact](decisions/contact.md))."
   print "- Past rupture, and at d_max near 1, a softened element may fold: the run stops and says so."
   print "\n## To t = 200\n\n320 elements.\n\n| Ca | damage | D12 | energy | volume |\n|---|---|---|---|---|"
   for (i = 1; i <= n_long; i++) print long[i]

@@ -7,6 +7,7 @@
 #include "fluid/single_layer.h"
 
 #include "ellipsoid.h"
+#include "near_shapes.h"
 #include "suite.h"
 #include <omp.h>
 
@@ -189,6 +190,44 @@ START_TEST(sheets_closer_than_an_element_are_resolved) {
 }
 END_TEST
 
+static long long near_points(Body *body, FluidMethod method) {
+  SingleLayer *layer;
+  Error error;
+  ck_assert_int_eq(single_layer_new(&layer, &body->mesh, method, &error), STATUS_OK);
+  ck_assert_int_eq(single_layer_evaluate(layer, body->x, body->q, body->u, &error), STATUS_OK);
+  const long long near = single_layer_count(layer).near;
+  single_layer_free(layer);
+  return near;
+}
+
+/* Nearness is that of places in space: parts of the surface that are far apart on it are cut as neighbours
+ * are, the finer the nearer, and what the methods promise holds at any gap.  An element is 0.15 long. */
+START_TEST(films_thinner_than_an_element_are_bisected_and_resolved) {
+  static const double gaps[] = {0.3, 0.03, 3e-3, 3e-4};
+  static NearShape *const shapes[] = {biconcave_disc, bent_rod};
+  Body body;
+  body_new(&body, 3, SPHERE);
+  for (int p = 0; p < body.mesh.n_nodes; p++) {
+    const double *X = body.mesh.X + 3 * p, q[3] = {X[2] * X[2], X[0] * X[1], X[2] * (1 + 0.5 * X[0])};
+    memcpy(body.q + 3 * p, q, sizeof q);
+  }
+  for (int shape = 0; shape < 2; shape++) {
+    long long before = 0;
+    for (size_t k = 0; k < sizeof gaps / sizeof *gaps; k++) {
+      near_shape(shapes[shape], gaps[k], &body.mesh, body.x);
+      const long long near = near_points(&body, FLUID_FAST);
+      ck_assert_msg(near > before, "gap %g: %lld points, before %lld", gaps[k], near, before);
+      before = near;
+      ck_assert_double_lt(added_error(&body, FLUID_FAST),
+                          2e-5); /* 1.9e-5 on the bent rod, without a gap, too */
+    }
+  }
+  near_shape(biconcave_disc, 3e-3, &body.mesh, body.x);
+  ck_assert_double_gt(added_error(&body, FLUID_DIRECT), 1e-3); /* which cuts nothing: not within 1e-3 */
+  body_free(&body);
+}
+END_TEST
+
 START_TEST(rough_surface_is_not_smoothed_over) {
   Body body; /* wrinkles of the size of an element, 1 % high */
   unsigned seed = 12345;
@@ -338,14 +377,14 @@ END_TEST
 int main(void) {
   return suite_run(
       "single_layer",
-      (SuiteTests){ellipsoid_integrals_agree_with_tabulated_mobilities,
-                   ellipsoid_in_translation_moves_uniformly, normal_load_moves_nothing,
-                   sphere_has_its_eigenvalues, velocity_gradients_of_ellipsoids_agree_with_the_table,
-                   ellipsoid_under_diagonal_load_strains_uniformly,
-                   error_falls_with_the_third_power_of_the_mesh_size,
-                   fast_is_as_near_to_the_reference_as_designed, sheets_closer_than_an_element_are_resolved,
-                   rough_surface_is_not_smoothed_over, result_does_not_depend_on_the_number_of_threads,
-                   result_does_not_depend_on_earlier_calls, symmetric_evaluation_agrees_with_the_whole_one,
-                   pairs_are_counted_by_kind, what_cannot_be_evaluated_is_rejected_by_name,
-                   running_out_of_memory_is_reported, NULL});
+      (SuiteTests){
+          ellipsoid_integrals_agree_with_tabulated_mobilities, ellipsoid_in_translation_moves_uniformly,
+          normal_load_moves_nothing, sphere_has_its_eigenvalues,
+          velocity_gradients_of_ellipsoids_agree_with_the_table,
+          ellipsoid_under_diagonal_load_strains_uniformly, error_falls_with_the_third_power_of_the_mesh_size,
+          fast_is_as_near_to_the_reference_as_designed, sheets_closer_than_an_element_are_resolved,
+          films_thinner_than_an_element_are_bisected_and_resolved, rough_surface_is_not_smoothed_over,
+          result_does_not_depend_on_the_number_of_threads, result_does_not_depend_on_earlier_calls,
+          symmetric_evaluation_agrees_with_the_whole_one, pairs_are_counted_by_kind,
+          what_cannot_be_evaluated_is_rejected_by_name, running_out_of_memory_is_reported, NULL});
 }

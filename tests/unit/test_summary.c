@@ -25,6 +25,7 @@ static const char *const keys[] = {"status",
                                    "rupture",
                                    "energy_error_max",
                                    "step_error_max",
+                                   "film_min",
                                    "unstable_steps",
                                    "steps",
                                    "rejected_steps",
@@ -117,10 +118,11 @@ START_TEST(what_there_is_not_is_null_and_never_nan) {
                            .t_c = NAN,
                            .t_l = NAN,
                            .energy_error_max = NAN,
-                           .step_error_max = NAN};
+                           .step_error_max = NAN,
+                           .film_min = NAN};
   ck_assert_int_eq(summary_print(&summary, &text, &error), STATUS_OK);
-  const char *const without[] = {"beta",    "d_max_location",   "t_c",           "t_l",
-                                 "rupture", "energy_error_max", "step_error_max"};
+  const char *const without[] = {
+      "beta", "d_max_location", "t_c", "t_l", "rupture", "energy_error_max", "step_error_max", "film_min"};
   for (size_t k = 0; k < sizeof without / sizeof *without; k++)
     ck_assert_msg(has_value(&text, without[k], "null,"), "%s", without[k]);
   ck_assert(has_value(&text, "skipped", "[]\n}"));
