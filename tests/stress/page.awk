@@ -58,7 +58,8 @@ END {
     total["end"], total["ruptured"], total["stopped"], total["refused"], bad
   print compared " were compared with a finer computation, whether they rupture included: no false rupture, crash, hang or value"
   print "that is not finite.  `tests/stress/cases.sh` states the cases and the bounds, `judge.awk` the rules."
-  print "At the standard tolerance the energy balance leaves over at most " figure(energy, "standard") " of the largest energy so far.\n"
+  print "At the standard tolerance the energy balance leaves over at most " figure(energy, "standard") " of the largest energy so far"
+  print "([what it sees](decisions/energy.md), and what it does not).\n"
   print "## Outcomes\n"
   print "Largest differences from the finer computation; energy: largest residual of the balance, relative to the largest energy.\n"
   print "| group | cases | end | ruptured | stopped | refused | D12 | d_max | t_l, relative | energy | volume |"
