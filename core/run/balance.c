@@ -97,7 +97,9 @@ Status balance_step(Balance *b, const Instant *start, double t1, double toleranc
   for (int trial = 1; from.t < t1; trial++) {
     Part part;
     const bool is_rest = from.t + length >= t1 - 0.5 * shortest || trial >= MOST_TRIALS;
-    TRY(take_part(b, &from, is_rest ? t1 : from.t + length, &part, error));
+    const double end = is_rest ? t1 : from.t + length;
+    TRY(take_part(b, &from, end, &part, error));
+    length = end - from.t;
     if (trial == 1) memcpy(b->power, part.power, sizeof b->power);
     if (trial < MOST_TRIALS && length > shortest && !is_balanced(&from, &part, tolerance, scale)) {
       length *= 0.5;
