@@ -16,7 +16,7 @@ void array_free(void *array);
 /* `*pointer = new zeroed array of count objects`, as a Status: TRY(ARRAY_NEW(&mesh->X, 3 * n, error)). */
 #define ARRAY_NEW(pointer, count, error)                                                                     \
   ((*(pointer) = array_allocate((size_t)(count), sizeof **(pointer), #pointer, error)) ? STATUS_OK           \
-                                                                                       : (error)->code)
+                                                                                       : STATUS_MEMORY)
 
 /* For tests: the n-th allocation from now on fails (n >= 1); 0 turns this off.  Returns how many were left of
  * an earlier n: 0 when that allocation has failed. */
