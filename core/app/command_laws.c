@@ -91,8 +91,8 @@ static Status describe_here(char *file, Text *answer, int *code, Error *error) {
   FILE *stream = open_memstream(&bytes, &length);
   if (!stream) return error_set(error, STATUS_MEMORY, "out of memory");
   *code = describe(file, stream);
-  fclose(stream);
-  const Status status = text_append_bytes(answer, error, bytes, length);
+  const Status status = fclose(stream) == 0 ? text_append_bytes(answer, error, bytes, length)
+                                            : error_set(error, STATUS_MEMORY, "out of memory");
   free(bytes);
   return status;
 }

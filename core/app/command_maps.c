@@ -3,6 +3,7 @@
 #include "app/help.h"
 #include "base/file.h"
 #include "run/maps.h"
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -37,7 +38,8 @@ static bool take_range(const char *text, MapsOptions *options) {
   if (end == text || *end != ':') return false;
   text = end + 1;
   options->maximum = strtod(text, &end);
-  return end != text && !*end && options->maximum > options->minimum;
+  return end != text && !*end && options->maximum > options->minimum &&
+         isfinite(options->maximum - options->minimum);
 }
 
 static bool take_option(const char *flag, char *value, MapsOptions *options, const char **file) {

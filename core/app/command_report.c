@@ -25,13 +25,13 @@ static int refuse(const char *what, const char *found) {
 static int parse(int argc, char **argv, const char **folder, ReportChoice *choice) {
   for (int i = 1; i < argc; i++) {
     const char *argument = argv[i], *value = i + 1 < argc ? argv[i + 1] : NULL;
-    char *end;
+    char *end = NULL;
     if (strcmp(argument, "--color") == 0) {
       if (!value) return refuse("--color needs a field", NULL);
       choice->field = argv[++i];
     } else if (strcmp(argument, "--time") == 0) {
       choice->time = value ? strtod(value, &end) : NAN;
-      if (!isfinite(choice->time) || *end) return refuse("--time needs a number", value);
+      if (!isfinite(choice->time) || end == value || *end) return refuse("--time needs a number", value);
       i++;
     } else if (argument[0] == '-') {
       return refuse("expected an option of the usage below", argument);

@@ -156,7 +156,8 @@ cleanup:
 
 static Status measure_state(const Simulation *s, RunState *state, Error *error) {
   Shape shape;
-  const Status status = shape_measure(&s->mesh, &s->symmetry, s->stepper.x, s->flow.vorticity_axis, &shape, error);
+  const Status status =
+      shape_measure(&s->mesh, &s->symmetry, s->stepper.x, s->flow.vorticity_axis, &shape, error);
   if (status != STATUS_OK) return status;
   const double *d = membrane_accepted(s->membrane)->d;
   *state = (RunState){.t = s->motion->t,
@@ -289,7 +290,8 @@ static Status append_processor(Text *text, Error *error) {
   while (file && fgets(line, sizeof line, file))
     if (strncmp(line, "model name", 10) == 0) {
       const char *name = strchr(line, ':');
-      status = text_append(text, error, "- processor:%.*s\n", (int)strcspn(name + 1, "\n"), name + 1);
+      if (name)
+        status = text_append(text, error, "- processor:%.*s\n", (int)strcspn(name + 1, "\n"), name + 1);
       break;
     }
   if (file) fclose(file);

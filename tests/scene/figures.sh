@@ -59,7 +59,7 @@ theory fig17/cases/damage=_law__marigo*uniform* 1 0.046
 [ "$(grep -c 'stroke="#000"' maps.svg)" = 48 ] || fail "panels: $(grep -c 'stroke="#000"' maps.svg)"
 "$capsella" maps maps maps --range 0:0.2 >log
 [ -s maps/maps.svg ] || fail "$(cat log)"
-for mistake in '--field e' '--view back' '--range 1' '--at x' '--at' '--range 2:1'; do
+for mistake in '--field e' '--view back' '--range 1' '--at x' '--at' '--range 2:1' '--range 0:inf'; do
   code=0
   # shellcheck disable=SC2086
   "$capsella" maps maps $mistake >log 2>&1 || code=$?

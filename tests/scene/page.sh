@@ -44,3 +44,4 @@ refused 'nowhere: expected the folder of a run or of a study; there is none' now
 refused 'it is a file' torn/summary.json
 refused 'expected one of the fields .*T1.*, found `t`' torn --color t
 refused '[-]-time needs a number' torn --time soon
+refused '[-]-time needs a number' torn --time ''
