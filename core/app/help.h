@@ -75,6 +75,9 @@ Status help_print(const HelpPage *page, Text *text, Error *error);
 /* Tells on standard error that the call of a command is wrong, with the nearest option where `found` (may be
  * NULL) is one misspelt, and its usage.  Returns EXIT_INPUT. */
 int help_refuse(const char *command, const char *message, const char *found);
+#ifdef __clang_analyzer__ /* which sees one file at a time */
+#define help_refuse(command, message, found) (help_refuse(command, message, found), 2)
+#endif
 
 /* A page for man(1), in section 1. */
 Status help_print_man(const HelpPage *page, Text *roff, Error *error);

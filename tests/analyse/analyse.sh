@@ -9,7 +9,7 @@ cd "$source"
 code=0
 echo "clang-tidy"
 find core plugins/constitutive plugins/damage -name '*.c' | sort |
-  xargs -P "$(nproc)" -n 4 clang-tidy --quiet -p "$build" 2>"$build/clang-tidy.log" || code=1
+  xargs -P "$(nproc)" -n 1 clang-tidy --quiet -p "$build" 2>"$build/clang-tidy.log" || code=1
 echo "cppcheck"
 cppcheck --quiet --error-exitcode=1 --enable=warning,portability,performance --std=c11 --template=gcc \
   --suppressions-list=tests/analyse/cppcheck.txt --suppress=missingIncludeSystem -I core -I core/sdk \

@@ -2,6 +2,9 @@
 # A law that crashes or hangs in the middle of a run is named, with time and element, and what was written is whole.
 . "$(dirname "$0")/common.sh"
 broken=$(dirname "$capsella")/tests/broken
+if grep -q __tsan_init "$capsella"; then
+  echo "skipped: the thread sanitizer holds signals back while a law hangs" && exit 77
+fi
 
 set -- "$capsella" run "$root/configs/shear_quick.yaml" --quiet --law-timeout 2 --set capsule.mesh.subdivisions=1 \
   --set membrane.damage= --set membrane.check_laws=false --set output.snapshot_every=0.05 --set time.end=0.3 --set output.report=false
@@ -18,7 +21,7 @@ bad() {
   "$@" -o "$law" --resume 2>message || fail "$law: not resumed: $(cat message)"
   grep -q 'resumed at t = 0.' "$law/log.txt" || fail "$law: begun anew: $(cat "$law/log.txt")"
 }
-if grep -q "__[at]san_init" "$capsella"; then
+if grep -q __asan_init "$capsella"; then
   echo "a crash is not tested: a sanitizer ends a process in its own way"
 else
   bad crashing 'crashed \(signal [0-9]+\)' "$@"
