@@ -50,9 +50,10 @@ Status curve_tensions(const Material *material, const double l[2], double T[2], 
 static Status relax(const Material *material, double l[2], Error *error) {
   double low = 0.02 / l[0], high = 1.5 * fmax(1, 1 / l[0]), T[2];
   Status status = STATUS_OK;
-  for (int k = 0; k < 100 && status == STATUS_OK; k++) {
+  for (int k = 0; k < 100; k++) {
     l[1] = 0.5 * (low + high);
     status = curve_tensions(material, l, T, error);
+    if (status != STATUS_OK) break;
     if (T[1] > 0)
       high = l[1];
     else

@@ -50,14 +50,12 @@ static hid_t memory_type(HdfType type) {
 
 /* An Hdf without a file, with HDF5 silenced, and the access list of a file in memory. */
 static Status begin(Hdf **hdf, hid_t *access, Error *error) {
-  *hdf = NULL;
   *access = H5I_INVALID_HID;
-  Hdf *made = array_allocate(1, sizeof *made, "hdf", error);
-  if (!made) return error->code;
-  made->file = H5I_INVALID_HID;
-  H5Eget_auto2(H5E_DEFAULT, &made->print, &made->print_data);
+  const Status status = ARRAY_NEW(hdf, 1, error);
+  if (status != STATUS_OK) return status;
+  (*hdf)->file = H5I_INVALID_HID;
+  H5Eget_auto2(H5E_DEFAULT, &(*hdf)->print, &(*hdf)->print_data);
   H5Eset_auto2(H5E_DEFAULT, NULL, NULL);
-  *hdf = made;
   *access = H5Pcreate(H5P_FILE_ACCESS);
   if (*access < 0 || H5Pset_fapl_core(*access, MEMORY_INCREMENT, 0) < 0)
     return failed(error, "use", "its memory driver");
