@@ -33,6 +33,7 @@ static const Column columns[] = {
     NUMBER(T1_max),
     NUMBER(T2_min),
     NUMBER(compressed_area),
+    NUMBER(wrinkle_amplitude),
     NUMBER(elastic_energy),
     NUMBER(dissipated_energy),
     NUMBER(energy_error),

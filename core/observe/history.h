@@ -19,6 +19,7 @@ typedef struct {
   double volume_error;                 /* V/V0 - 1 */
   double d_max, Y_max, T1_max, T2_min; /* over the integration points */
   double compressed_area;              /* share of the area at rest where T2 < 0 */
+  double wrinkle_amplitude;            /* of waves on the scale of the mesh (observe/wrinkles.h) */
   double elastic_energy, dissipated_energy, energy_error;
   double step;           /* size of the last accepted step */
   long long evaluations; /* velocity evaluations so far */

@@ -89,6 +89,7 @@ Status summary_print(const Summary *summary, Text *text, Error *error) {
   json_number(&json, "energy_error_max", summary->energy_error_max);
   json_number(&json, "step_error_max", summary->step_error_max);
   json_number(&json, "film_min", summary->film_min);
+  json_number(&json, "wrinkle_amplitude_max", summary->wrinkle_amplitude_max);
   json_integer(&json, "unstable_steps", summary->unstable_steps);
   put_cost(&json, summary);
   put_physical(&json, summary);

@@ -32,7 +32,8 @@ typedef struct {
   double step_error_max; /* largest error of a step, as time.tolerance; NAN: steps are prescribed */
   double film_min; /* thinnest film between two parts of the membrane, in widths of the elements there; NAN:
                       none thinner than an element is wide */
-  long long unstable_steps; /* steps beyond the stability limit, which time.allow_unstable let pass */
+  double wrinkle_amplitude_max; /* of the rows of the history; NAN: the radius is imposed */
+  long long unstable_steps;     /* steps beyond the stability limit, which time.allow_unstable let pass */
   long long steps, rejected_steps;
   long long evaluations, stage_evaluations; /* of the velocity: all, and those of them by the coarse rule */
   double wall_seconds;

@@ -78,6 +78,13 @@ void march_watch_steady(Record *record, const HistoryRow *row) {
   data->sample_d_max = row->d_max;
 }
 
+void march_watch_wrinkles(Record *record, const HistoryRow *row) {
+  RecordData *data = &record->data;
+  if (row->wrinkle_amplitude <= data->wrinkle_max) return;
+  data->wrinkle_max = row->wrinkle_amplitude;
+  data->wrinkle_t = row->t;
+}
+
 bool march_is_steady(const Record *record) {
   return record->simulation->scene->stop.steady > 0 &&
          record->data.sample_t - record->data.steady_since >= STEADY_TIME;

@@ -25,6 +25,9 @@ Status march_fall_back(Record *record, Error *error);
 /* Watches the rates of D12 and d_max from sample to sample. */
 void march_watch_steady(Record *record, const HistoryRow *row);
 
+/* Keeps the largest wrinkles. */
+void march_watch_wrinkles(Record *record, const HistoryRow *row);
+
 /* Whether stop.steady asks for it and the rates have been below it for long enough. */
 bool march_is_steady(const Record *record);
 

@@ -54,6 +54,7 @@ Status record_new(Record *record, Simulation *s, Error *error) {
     TRY(ARRAY_NEW(&record->load, n, error));
   } else {
     TRY(contact_search_new(&record->contact, &s->mesh, error));
+    TRY(wrinkles_new(&record->wrinkles, &s->mesh, &s->symmetry, error));
   }
   TRY(balance_new(&record->balance, material_has_damage(&s->material) ? (int)points : 0, error));
   record->balance.look = look;
@@ -77,6 +78,7 @@ void record_free(Record *record) {
   balance_free(&record->balance);
   criteria_free(&record->criteria);
   contact_search_free(record->contact);
+  wrinkles_free(record->wrinkles);
   *record = (Record){0};
 }
 
@@ -254,6 +256,7 @@ Status record_row(Record *record, HistoryRow *row, Shape *shape, Error *error) {
       .T1_max = T1_max / G,
       .T2_min = T2_min / G,
       .compressed_area = membrane_compressed_area(s->membrane, record->T2),
+      .wrinkle_amplitude = record->wrinkles ? wrinkles_amplitude(record->wrinkles, record->x) : 0,
       .elastic_energy = energy.stored,
       .dissipated_energy = energy.dissipated,
       .energy_error = energy_error(energy),
@@ -369,6 +372,7 @@ Status record_summary(Record *record, Summary *summary, Error *error) {
       .has_rupture = !isnan(data->t_l),
       .energy_error_max = data->energy_error_max,
       .film_min = data->film_min,
+      .wrinkle_amplitude_max = simulation_is_inflation(s) ? NAN : data->wrinkle_max,
       .elements = s->mesh.n_elements,
       .nodes = s->mesh.n_nodes,
       .skipped = s->skipped,

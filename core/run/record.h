@@ -10,6 +10,7 @@
 #include "observe/history.h"
 #include "observe/shape.h"
 #include "observe/summary.h"
+#include "observe/wrinkles.h"
 #include "run/balance.h"
 #include "run/criteria.h"
 #include "run/simulation.h"
@@ -27,16 +28,19 @@ typedef struct {
   double steady_since; /* start of the time over which rates stayed below stop.steady; NAN: not now */
   double sample_t, sample_D12, sample_d_max; /* of the last sample */
   double wall_seconds;                       /* of earlier processes of this run */
-  double film_min;    /* thinnest film between two parts of the membrane, in widths of the elements there
-                         (mesh/contact.h); NAN:    none thinner than an element is wide */
-  double contact_due; /* evaluations at which it is looked for again */
+  /* Thinnest film between two parts of the membrane, in widths of the elements there (mesh/contact.h); NAN:
+   * none thinner than an element is wide. */
+  double film_min;
+  double contact_due;            /* evaluations at which it is looked for again */
+  double wrinkle_max, wrinkle_t; /* largest wrinkle_amplitude of a row, and its time */
 } RecordData;
 
 struct Record {
   Simulation *simulation;
   RecordData data;
   Criteria criteria;
-  ContactSearch *contact;     /* NULL: no fluid moves the membrane */
+  ContactSearch *contact; /* NULL, as the wrinkles: no fluid moves the membrane */
+  Wrinkles *wrinkles;
   double probed_t;            /* time of the membrane's trial state; NAN: not in the proposed step */
   double *x, *v, *R;          /* [n_nodes][3] at the probed time */
   double *R0;                 /* [n_nodes][3] at the accepted time */

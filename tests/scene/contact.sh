@@ -22,6 +22,7 @@ ends_by() { # FOLDER WORDS
 # Without a flow the faces stay apart.
 run still --set time.end=0.1
 warned still
+grep -q "rough on the scale of the mesh, by .* of an edge at t = " still/log.txt || fail "still: $(cat still/log.txt)"
 [ "$(number still/summary.json status)" = end ] || fail "still: $(cat still/log.txt)"
 
 # Goes on after a restart without telling again what was told.

@@ -16,3 +16,11 @@ sed 's/\[2, 3, 4\]/[2]/; s/\[0.005, 0.010, 0.012\]/[0.012]/; s/end: 20/end: 0.35
 awk -F'|' 'NR == 3 { split($4, D, ","); split($5, Y, ","); found = 1
     exit !($2 == 320 && $3 == 0.012 && D[1] > 1.9 && D[1] < 1.912 && Y[1] > 3 && Y[1] < 3.4 && $8 > 0.3 && $8 < 0.32) }
   END { exit !found }' table || fail "$(cat table)"
+
+# The amplitude of the history is that of the table, which fits one polynomial to the whole sphere, within a quarter.
+column=$(head -n 1 study/cases/*/history.csv | tr ',' '\n' | grep -n '^wrinkle_amplitude$' | cut -d: -f1)
+amplitude=$(awk -F, -v column="$column" '$1 == 0.25 { print $column }' study/cases/*/history.csv)
+awk -F'|' -v own="$amplitude" 'NR == 3 { split($6, w, ","); exit !(own > 0.75 * w[1] && own < 1.25 * w[1]) }' table ||
+  fail "wrinkle_amplitude is $amplitude: $(cat table)"
+grep -q 'rough on the scale of the mesh' study/cases/*/log.txt && fail "roughness of $amplitude is told"
+exit 0

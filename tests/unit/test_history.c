@@ -9,7 +9,7 @@
 
 static const char FLOW_HEADER[] =
     "t,D12,beta,L1,L2,L3,area_strain,volume_error,d_max,Y_max,T1_max,T2_min,"
-    "compressed_area,elastic_energy,dissipated_energy,energy_error,step,evaluations\n";
+    "compressed_area,wrinkle_amplitude,elastic_energy,dissipated_energy,energy_error,step,evaluations\n";
 
 static const char *path(void) {
   return scratch_path("history.csv");
@@ -68,25 +68,25 @@ END_TEST
 START_TEST(numbers_read_back_to_the_same_bits) {
   Error error;
   History history;
-  HistoryRow row = {1 / 3.,  2 / 3.,  NAN,    4 / 3., 5 / 3.,  7 / 3., 1e-300,  -1e-17, 0.1,
-                    0.2,     0.3,     -0.4,   0.6,    1e5 / 7, 1 / 7., -1 / 7., 0.05,   123456789012345,
-                    11 / 3., 13 / 3., 17 / 3.};
+  HistoryRow row = {
+      1 / 3., 2 / 3., NAN,  4 / 3.,  5 / 3., 7 / 3.,  1e-300, -1e-17,          0.1,     0.2,     0.3,
+      -0.4,   0.6,    7e-4, 1e5 / 7, 1 / 7., -1 / 7., 0.05,   123456789012345, 11 / 3., 13 / 3., 17 / 3.};
   ck_assert_int_eq(history_open(&history, path(), HISTORY_INFLATION, &error), STATUS_OK);
   ck_assert_int_eq(history_append(&history, &row, &error), STATUS_OK);
   ck_assert_int_eq(history_close(&history, &error), STATUS_OK);
   Text text = content();
-  const double expected[21] = {
-      1 / 3., 2 / 3., NAN,     4 / 3., 5 / 3.,  7 / 3., 1e-300,           -1e-17,  0.1,     0.2,    0.3,
-      -0.4,   0.6,    1e5 / 7, 1 / 7., -1 / 7., 0.05,   123456789012345., 11 / 3., 13 / 3., 17 / 3.};
+  const double expected[22] = {
+      1 / 3., 2 / 3., NAN,  4 / 3.,  5 / 3., 7 / 3.,  1e-300, -1e-17,           0.1,     0.2,     0.3,
+      -0.4,   0.6,    7e-4, 1e5 / 7, 1 / 7., -1 / 7., 0.05,   123456789012345., 11 / 3., 13 / 3., 17 / 3.};
   char *cell = strchr(text.data, '\n') + 1;
-  for (int k = 0; k < 21; k++) {
+  for (int k = 0; k < 22; k++) {
     char *end;
     double value = strtod(cell, &end);
     if (isnan(expected[k]))
       ck_assert_int_eq(strncmp(cell, "nan,", 4), 0);
     else
       ck_assert_msg(memcmp(&value, &expected[k], sizeof value) == 0, "column %d", k);
-    ck_assert_int_eq(*end, k < 20 ? ',' : '\n');
+    ck_assert_int_eq(*end, k < 21 ? ',' : '\n');
     cell = end + 1;
   }
   ck_assert_int_eq(*cell, '\0');

@@ -26,6 +26,7 @@ static const char *const keys[] = {"status",
                                    "energy_error_max",
                                    "step_error_max",
                                    "film_min",
+                                   "wrinkle_amplitude_max",
                                    "unstable_steps",
                                    "steps",
                                    "rejected_steps",
@@ -119,10 +120,12 @@ START_TEST(what_there_is_not_is_null_and_never_nan) {
                            .t_l = NAN,
                            .energy_error_max = NAN,
                            .step_error_max = NAN,
-                           .film_min = NAN};
+                           .film_min = NAN,
+                           .wrinkle_amplitude_max = NAN};
   ck_assert_int_eq(summary_print(&summary, &text, &error), STATUS_OK);
   const char *const without[] = {
-      "beta", "d_max_location", "t_c", "t_l", "rupture", "energy_error_max", "step_error_max", "film_min"};
+      "beta",     "d_max_location",       "t_c", "t_l", "rupture", "energy_error_max", "step_error_max",
+      "film_min", "wrinkle_amplitude_max"};
   for (size_t k = 0; k < sizeof without / sizeof *without; k++)
     ck_assert_msg(has_value(&text, without[k], "null,"), "%s", without[k]);
   ck_assert(has_value(&text, "skipped", "[]\n}"));

@@ -37,6 +37,7 @@ const FIGURES = [
   ['volume_error_max', 'max |V/V₀ − 1|', 'largest error of the volume'],
   ['energy_error_max', 'max |ΔE|/E', 'largest error of the energy balance'],
   ['step_error_max', 'step error', 'largest error of a step, as time.tolerance bounds it'],
+  ['wrinkle_amplitude_max', 'wrinkles', 'largest roughness on the scale of the mesh'],
   ['film_min', 'film/element', 'thinnest film between two parts of the membrane, in widths of the elements there'],
 ];
 const COST = [
@@ -66,7 +67,7 @@ function figureRow(summary, [key, symbol, meaning, physicalKey, unit]) {
 }
 
 // An imposed inflation keeps the sphere round and changes its volume: these say nothing there.
-const NOT_OF_INFLATION = /^(D12|beta|L2|L3|volume_error.*|film_min|rupture\.angle.*)$/;
+const NOT_OF_INFLATION = /^(D12|beta|L2|L3|volume_error.*|film_min|wrinkle_amplitude_max|rupture\.angle.*)$/;
 
 function figures({summary, scene}) {
   if (!summary) return h('p', {class: 'note'}, 'summary.json is missing: the run has not come to its end.');
