@@ -18,10 +18,11 @@ struct CoarseLayer {
   const Mesh *mesh;
   Targets targets;
   SingularRule *singular;
+  HeldPolar around; /* points on the elements of each target */
   SurfaceTree tree;
   CoarseBlock *blocks; /* [tree.n_blocks] those of the tree, rounded */
   HeldRuns *held;      /* [n_nodes], of which one for each target: what stands for all but its own elements */
-  bool is_settled;     /* held[] belongs to the step */
+  bool is_settled;     /* held[] and `around` belong to the step */
   KernelCount count;
 };
 
@@ -37,6 +38,7 @@ Status coarse_layer_new(CoarseLayer **out, const Mesh *mesh, const Symmetry *sym
     targets_use_symmetry(&layer->targets, symmetry);
     tree_use_symmetry(&layer->tree, symmetry);
   }
+  TRY(held_polar_new(&layer->around, layer->singular, mesh, layer->targets.node, layer->targets.n, error));
   TRY(ARRAY_NEW(&layer->blocks, layer->tree.n_blocks, error));
   TRY(ARRAY_NEW(&layer->held, mesh->n_nodes, error));
   *out = layer;
@@ -49,6 +51,7 @@ cleanup:
 void coarse_layer_free(CoarseLayer *layer) {
   if (!layer) return;
   for (int i = 0; layer->held && i < layer->mesh->n_nodes; i++) array_free(layer->held[i].run);
+  held_polar_free(&layer->around);
   targets_free(&layer->targets);
   singular_free(layer->singular);
   tree_free(&layer->tree);
@@ -78,7 +81,10 @@ static void hold_target(CoarseLayer *layer, const double *x, const double *q, in
 
 static Status hold_all(CoarseLayer *layer, const double *x, const double *q, Error *error) {
 #pragma omp parallel for schedule(dynamic, 16)
-  for (int i = 0; i < layer->targets.n; i++) hold_target(layer, x, q, i);
+  for (int i = 0; i < layer->targets.n; i++) {
+    hold_target(layer, x, q, i);
+    held_polar_settle(&layer->around, x, i);
+  }
   for (int i = 0; i < layer->targets.n; i++) {
     if (layer->held[i].status != STATUS_OK) {
       return error_set(error, STATUS_MEMORY, "out of memory: the coarse layer lists what acts on node %d",
@@ -98,7 +104,7 @@ static int sum_target(const CoarseLayer *layer, const double *x, const double *q
   Gather gather;
   int p = layer->targets.node[i];
   gather_start(&gather, x + 3 * p);
-  int singular = singular_gather(layer->singular, layer->mesh, x, q, p, &gather);
+  int singular = held_polar_gather(&layer->around, x, q, i, &gather);
   gather_flush(&gather);
   coarse_sum(layer->blocks, layer->held[i].run, layer->held[i].n, x + 3 * p, gather.u);
   for (int c = 0; c < 3; c++) u[c] = ONE_OVER_8PI * gather.u[c];

@@ -78,17 +78,16 @@ static inline double slope_t(const double e[6][PIECE_COMPONENTS], int c, double 
 }
 
 VECTOR_CLONES
-void expansion_points(const Expansion *restrict expansion, const OffsetPoints *restrict points,
-                      OseenBlock *restrict out) {
+void expansion_points(const Expansion *restrict expansion, OffsetView points, OseenBlock *restrict out) {
   const double(*e)[PIECE_COMPONENTS] = expansion->coefficient;
-  for (int first = 0; first < points->n; first += OSEEN_LANES, out++) {
+  for (int first = 0; first < points.n; first += OSEEN_LANES, out++) {
 #pragma omp simd
     for (int i = 0; i < OSEEN_LANES; i++) {
-      double s = points->s[first + i], t = points->t[first + i];
+      double s = points.s[first + i], t = points.t[first + i];
       double a0 = slope_s(e, 0, s, t), a1 = slope_s(e, 1, s, t), a2 = slope_s(e, 2, s, t);
       double b0 = slope_t(e, 0, s, t), b1 = slope_t(e, 1, s, t), b2 = slope_t(e, 2, s, t);
       double n0 = a1 * b2 - a2 * b1, n1 = a2 * b0 - a0 * b2, n2 = a0 * b1 - a1 * b0;
-      double area = points->weight[first + i] * sqrt(n0 * n0 + n1 * n1 + n2 * n2);
+      double area = points.weight[first + i] * sqrt(n0 * n0 + n1 * n1 + n2 * n2);
       out->y[0][i] = value(e, 0, s, t);
       out->y[1][i] = value(e, 1, s, t);
       out->y[2][i] = value(e, 2, s, t);

@@ -14,6 +14,16 @@ typedef struct {
   double s[OFFSET_MAX], t[OFFSET_MAX], weight[OFFSET_MAX];
 } OffsetPoints;
 
+/* Such points wherever they are kept. */
+typedef struct {
+  int n;
+  const double *s, *t, *weight; /* [n] */
+} OffsetView;
+
+static inline OffsetView offset_view(const OffsetPoints *points) {
+  return (OffsetView){points->n, points->s, points->t, points->weight};
+}
+
 /* A triangle with its apex at the node, in the tangent plane there.  Along the opposite edge the distance
  * from the foot of the perpendicular is height * sinh(w), with exp(w) from `start` on over a range of w. */
 typedef struct {
@@ -36,7 +46,7 @@ typedef struct {
 /* The expansion from the nodes of an element: coefficient[m] = sum of matrix[m][k] node[k]. */
 void expansion_set(const double matrix[6][6], const Piece *element, Expansion *expansion);
 
-/* Point forces at the offsets: points->n / OSEEN_LANES blocks. */
-void expansion_points(const Expansion *expansion, const OffsetPoints *points, OseenBlock *out);
+/* Point forces at the offsets: points.n / OSEEN_LANES blocks. */
+void expansion_points(const Expansion *expansion, OffsetView points, OseenBlock *out);
 
 #endif

@@ -9,6 +9,7 @@
 
 #include <math.h>
 #include <stdbool.h>
+#include <string.h>
 
 /* |a1 x a2| / (|a1|^2 + |a2|^2) is 0 for an element squashed to a line, 0.43 for an equilateral one. */
 static const double DEGENERATE = 1e-10;
@@ -146,7 +147,7 @@ static int gather_element(const SingularRule *rule, const int element[6], int lo
     points = &tangent;
     n = tangent.n;
   }
-  expansion_points(&expansion, points, gather_reserve(gather, points->n / OSEEN_LANES));
+  expansion_points(&expansion, offset_view(points), gather_reserve(gather, points->n / OSEEN_LANES));
   return n;
 }
 
@@ -156,6 +157,84 @@ int singular_gather(const SingularRule *rule, const Mesh *mesh, const double *x,
   for (int i = mesh->node_start[p]; i < mesh->node_start[p + 1]; i++) {
     int n = gather_element(rule, mesh->element[mesh->node_element[i]], mesh->node_local[i], x, q, gather);
     if (n < 0) return -1;
+    total += n;
+  }
+  return total;
+}
+
+/* ---- held ---- */
+
+/* Most points of an element, as seen from a local node. */
+static int most_points(const SingularRule *rule, int local) {
+  const int triangles = OPPOSITE[local][2] >= 0 ? 2 : 1;
+  return triangles * rule->gauss_long.n_radial * rule->gauss_long.n_angular;
+}
+
+Status held_polar_new(HeldPolar *held, const SingularRule *rule, const Mesh *mesh, const int *node, int n,
+                      Error *error) {
+  Status status = STATUS_OK;
+  *held = (HeldPolar){.rule = rule, .mesh = mesh, .node = node};
+  TRY(ARRAY_NEW(&held->start, n + 1, error));
+  for (int i = 0; i < n; i++)
+    held->start[i + 1] = held->start[i] + mesh->node_start[node[i] + 1] - mesh->node_start[node[i]];
+  TRY(ARRAY_NEW(&held->first, held->start[n], error));
+  TRY(ARRAY_NEW(&held->n, held->start[n], error));
+  int total = 0;
+  for (int i = 0; i < n; i++)
+    for (int k = held->start[i]; k < held->start[i + 1]; k++) {
+      held->first[k] = total;
+      total += 3 * most_points(rule, mesh->node_local[mesh->node_start[node[i]] + k - held->start[i]]);
+    }
+  TRY(ARRAY_NEW(&held->offset, total, error));
+cleanup:
+  if (status != STATUS_OK) held_polar_free(held);
+  return status;
+}
+
+void held_polar_free(HeldPolar *held) {
+  array_free(held->start);
+  array_free(held->first);
+  array_free(held->n);
+  array_free(held->offset);
+  *held = (HeldPolar){0};
+}
+
+/* The expansion of element k of those around node[i]; returns its number of the node. */
+static int expand(const HeldPolar *held, const double *x, const double *q, int i, int k,
+                  Expansion *expansion) {
+  const Mesh *mesh = held->mesh;
+  const int entry = mesh->node_start[held->node[i]] + k - held->start[i], local = mesh->node_local[entry];
+  Piece piece;
+  piece_load(mesh->element[mesh->node_element[entry]], x, q, &piece);
+  expansion_set((const double(*)[6])held->rule->expand[local], &piece, expansion);
+  return local;
+}
+
+void held_polar_settle(HeldPolar *held, const double *x, int i) {
+  for (int k = held->start[i]; k < held->start[i + 1]; k++) {
+    Expansion expansion;
+    OffsetPoints points = {.n = 0};
+    const int local = expand(held, x, x, i, k, &expansion);
+    if (has_tangent_plane(&expansion)) tangent_points(held->rule, &expansion, local, &points);
+    const size_t bytes = (size_t)points.n * sizeof(double);
+    double *to = held->offset + held->first[k];
+    memcpy(to, points.s, bytes);
+    memcpy(to + points.n, points.t, bytes);
+    memcpy(to + 2 * points.n, points.weight, bytes);
+    held->n[k] = points.n;
+  }
+}
+
+int held_polar_gather(const HeldPolar *held, const double *x, const double *q, int i, Gather *gather) {
+  int total = 0;
+  for (int k = held->start[i]; k < held->start[i + 1]; k++) {
+    Expansion expansion;
+    const int n = held->n[k];
+    const double *s = held->offset + held->first[k];
+    expand(held, x, q, i, k, &expansion);
+    if (n == 0 || !has_tangent_plane(&expansion)) return -1;
+    expansion_points(&expansion, (OffsetView){n, s, s + n, s + 2 * n},
+                     gather_reserve(gather, n / OSEEN_LANES));
     total += n;
   }
   return total;

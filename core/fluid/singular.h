@@ -30,4 +30,26 @@ void singular_free(SingularRule *rule);
 int singular_gather(const SingularRule *rule, const Mesh *mesh, const double *x, const double *q, int p,
                     Gather *gather);
 
+/* The points of the elements around many nodes, settled at one shape and used at others near to it, where
+ * they are found at a fraction of the cost. */
+typedef struct {
+  const SingularRule *rule;
+  const Mesh *mesh;
+  const int *node; /* [n] */
+  int *start;      /* [n + 1] of the elements around node i in the next two */
+  int *first, *n;  /* place of an element's points in `offset`, and how many there are */
+  double *offset;  /* s, t and weight of the points of each element */
+} HeldPolar;
+
+/* For a rule in the tangent plane.  The rule, the mesh and node [n] must outlive it. */
+Status held_polar_new(HeldPolar *held, const SingularRule *rule, const Mesh *mesh, const int *node, int n,
+                      Error *error);
+void held_polar_free(HeldPolar *held);
+
+/* Settles the points around node[i]; an element without a tangent plane there gets none. */
+void held_polar_settle(HeldPolar *held, const double *x, int i);
+
+/* As singular_gather for node[i], at positions near to those settled. */
+int held_polar_gather(const HeldPolar *held, const double *x, const double *q, int i, Gather *gather);
+
 #endif

@@ -106,7 +106,7 @@ START_TEST(expansion_reproduces_a_quadratic_surface_and_its_area) {
     points.t[i] = 0.3 - 0.05 * i;
     points.weight[i] = 2;
   }
-  expansion_points(&expansion, &points, &block);
+  expansion_points(&expansion, offset_view(&points), &block);
   for (int i = 0; i < OSEEN_LANES; i++) {
     double s = points.s[i], t = points.t[i], ds = 2 * s - 2 * t, dt = -2 * s;
     double area = 2 * sqrt(1 + ds * ds + dt * dt);
