@@ -30,7 +30,8 @@ static inline void shell_add_membrane(Shell *shell, SceneLaw elastic, SceneLaw d
   const Symmetry *symmetry = shell->symmetry.n_operations > 0 ? &shell->symmetry : NULL;
   shell->material = make_material(elastic, damage);
   shell->n = 3 * shell->mesh.n_nodes;
-  ck_assert_int_eq(membrane_new(&shell->membrane, &shell->mesh, symmetry, &shell->material, solver, &error),
+  ck_assert_int_eq(membrane_new(&shell->membrane, &shell->mesh, symmetry, &shell->material,
+                                (MembraneMethod){.solver = solver}, &error),
                    STATUS_OK);
 }
 

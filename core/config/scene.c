@@ -159,6 +159,17 @@ static Status check_steady(const YamlNode *root, const Scene *scene, Error *erro
                      "expected `output.history_every` above 0, between whose rows rates are taken, found 0");
 }
 
+/* Quartic interpolation is on the four elements that come from halving one. */
+static Status check_interpolation(const YamlNode *root, const Scene *scene, Error *error) {
+  const YamlNode *mapping, *node = find(root, "membrane.interpolation", &mapping);
+  if (!node || scene->membrane.interpolation == INTERPOLATION_QUADRATIC || scene->mesh.subdivisions > 0)
+    return STATUS_OK;
+  return place_error(
+      &node->place, error,
+      "expected `quadratic` on an icosahedron that is not halved (`capsule.mesh.subdivisions` is "
+      "0), found `quartic`");
+}
+
 /* What no row can see by itself. */
 static Status complete(const YamlNode *root, Scene *scene, Error *error) {
   Status status;
@@ -168,6 +179,7 @@ static Status complete(const YamlNode *root, Scene *scene, Error *error) {
   TRY(check_gradient(root, (const double(*)[3])scene->flow.gradient, error));
   TRY(check_path(root, scene, error));
   TRY(check_steady(root, scene, error));
+  TRY(check_interpolation(root, scene, error));
 cleanup:
   return status;
 }

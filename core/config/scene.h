@@ -37,6 +37,7 @@ typedef struct {
 
 typedef enum { SHAPE_SPHERE } CapsuleShape;
 typedef enum { MASS_PCG, MASS_UMFPACK } MassSolver;
+typedef enum { INTERPOLATION_QUADRATIC, INTERPOLATION_QUARTIC } Interpolation;
 typedef enum {
   FLOW_SIMPLE_SHEAR,       /* v = z e_x */
   FLOW_PLANAR_HYPERBOLIC,  /* v = x e_x - z e_z */
@@ -74,7 +75,8 @@ typedef struct {
     double d_max;
     double nonlocal_length; /* 0: the drive of damage is local */
     MassSolver mass_solver;
-    bool check_laws; /* those that are not the program's, before the run */
+    Interpolation interpolation; /* of positions, for the stretches */
+    bool check_laws;             /* those that are not the program's, before the run */
   } membrane;
 
   struct {

@@ -37,6 +37,8 @@ const char *const SCHEMA_ACCURACY[] = {
     [ACCURACY_DRAFT] = "draft", [ACCURACY_STANDARD] = "standard", [ACCURACY_FINE] = "fine", NULL};
 static const char *const SHAPES[] = {[SHAPE_SPHERE] = "sphere", NULL};
 static const char *const MASS_SOLVERS[] = {[MASS_PCG] = "pcg", [MASS_UMFPACK] = "umfpack", NULL};
+static const char *const INTERPOLATIONS[] = {
+    [INTERPOLATION_QUADRATIC] = "quadratic", [INTERPOLATION_QUARTIC] = "quartic", NULL};
 static const char *const FLOW_KINDS[] = {[FLOW_SIMPLE_SHEAR] = "simple_shear",
                                          [FLOW_PLANAR_HYPERBOLIC] = "planar_hyperbolic",
                                          [FLOW_UNIAXIAL_EXTENSION] = "uniaxial_extension",
@@ -104,6 +106,11 @@ const SchemaRow SCHEMA[] = {
      .fallback = "pcg",
      .meaning = "Solver of M q = R for the load q: preconditioned conjugate gradients, or a sparse "
                 "factorization."},
+    {.key = "membrane.interpolation", .type = TYPE_CHOICE, AT(membrane.interpolation),
+     .choices = INTERPOLATIONS, .fallback = "quadratic",
+     .meaning = "How stretches follow from the nodes: by each element's own six, or by the fifteen of the four "
+                "elements that halving one has given, which makes a smooth shape several times more accurate "
+                "on the same mesh (at least one subdivision)."},
     {.key = "membrane.check_laws", .type = TYPE_BOOLEAN, AT(membrane.check_laws), .fallback = "true",
      .meaning = "Check every law that did not come with the program before the run, as `capsella laws check` "
                 "does, and refuse one that fails a test."},

@@ -4,9 +4,8 @@
 #include <math.h>
 
 VECTOR_CLONES
-void element_kinematics(const ElementBasis *basis, ReferenceMetric metric, int n, ElementBlock *block,
-                        double *I1, double *I2, double *J) {
-  for (int g = 0; g < RULE_POINTS; g++) {
+void element_base_vectors(const ElementBasis *basis, int n, ElementBlock *block) {
+  for (int g = 0; g < RULE_POINTS; g++)
     for (int alpha = 0; alpha < 2; alpha++)
       for (int c = 0; c < 3; c++) {
         double *restrict a = block->a[g][alpha][c];
@@ -16,6 +15,12 @@ void element_kinematics(const ElementBasis *basis, ReferenceMetric metric, int n
           a[e] = sum;
         }
       }
+}
+
+VECTOR_CLONES
+void element_kinematics(ReferenceMetric metric, int n, ElementBlock *block, double *I1, double *I2,
+                        double *J) {
+  for (int g = 0; g < RULE_POINTS; g++) {
     double(*restrict a1)[LANES] = block->a[g][0], (*restrict a2)[LANES] = block->a[g][1];
     const ptrdiff_t row = g * metric.ld;
     for (int e = 0; e < n; e++) {
@@ -42,15 +47,12 @@ void element_kinematics(const ElementBasis *basis, ReferenceMetric metric, int n
 }
 
 VECTOR_CLONES
-void element_force(const ElementBasis *basis, ReferenceMetric metric, int n, ElementBlock *block,
-                   const double *phi1, const double *phi2, const double *d, double *force,
-                   ptrdiff_t force_ld) {
-  for (int k = 0; k < 18; k++)
-    for (int e = 0; e < n; e++) force[k * force_ld + e] = 0;
+void element_tensions(ReferenceMetric metric, int n, ElementBlock *block, const double *phi1,
+                      const double *phi2, const double *d) {
   for (int g = 0; g < RULE_POINTS; g++) {
     double(*restrict a1)[LANES] = block->a[g][0], (*restrict a2)[LANES] = block->a[g][1];
+    double(*restrict t)[3][LANES] = block->t[g];
     const ptrdiff_t row = g * metric.ld;
-    double t[2][3][LANES]; /* dS0 J T^{ab} a_b */
     for (int e = 0; e < n; e++) {
       const double a11 = a1[0][e] * a1[0][e] + a1[1][e] * a1[1][e] + a1[2][e] * a1[2][e];
       const double a12 = a1[0][e] * a2[0][e] + a1[1][e] * a2[1][e] + a1[2][e] * a2[2][e];
@@ -67,13 +69,22 @@ void element_force(const ElementBasis *basis, ReferenceMetric metric, int n, Ele
         t[1][c][e] = s12 * a1[c][e] + s22 * a2[c][e];
       }
     }
+  }
+}
+
+VECTOR_CLONES
+void element_force(const ElementBasis *basis, int n, const ElementBlock *block, double *force,
+                   ptrdiff_t force_ld) {
+  for (int k = 0; k < 18; k++)
+    for (int e = 0; e < n; e++) force[k * force_ld + e] = 0;
+  for (int g = 0; g < RULE_POINTS; g++)
     for (int p = 0; p < 6; p++)
       for (int c = 0; c < 3; c++) {
         double *restrict f = force + (3 * p + c) * force_ld;
+        const double *restrict t1 = block->t[g][0][c], *restrict t2 = block->t[g][1][c];
         const double d1 = basis->dN[g][p][0], d2 = basis->dN[g][p][1];
-        for (int e = 0; e < n; e++) f[e] += d1 * t[0][c][e] + d2 * t[1][c][e];
+        for (int e = 0; e < n; e++) f[e] += d1 * t1[e] + d2 * t2[e];
       }
-  }
 }
 
 VECTOR_CLONES

@@ -33,20 +33,27 @@ typedef struct {
   double node[6][3][LANES];             /* current positions of the nodes of each element */
   double a[RULE_POINTS][2][3][LANES];   /* covariant base vectors a_alpha = dx/dxi_alpha (paper eq. 2.4) */
   double normal[RULE_POINTS][3][LANES]; /* a_1 x a_2 */
+  double t[RULE_POINTS][2][3][LANES];   /* dS0 J T^{ab} a_b */
   double facing[RULE_POINTS][LANES];    /* normal . mean normal of the element: <= 0 in a folded element */
 } ElementBlock;
 
-/* Base vectors and the invariants I1, I2 (paper eq. 2.15) of n <= LANES elements; the outputs have rows of
- * metric.ld. */
-void element_kinematics(const ElementBasis *basis, ReferenceMetric metric, int n, ElementBlock *block,
-                        double *I1, double *I2, double *J);
+/* Base vectors of n <= LANES elements from their nodes. */
+void element_base_vectors(const ElementBasis *basis, int n, ElementBlock *block);
 
-/* Internal force of n elements (paper eq. 3.2): with phi(I1, I2) per reference area,
- *   J T^{ab} = 2 (1 - d) [phi_1 A^{ab} + phi_2 (I2 + 1) a^{ab}],   R_p = sum_g dS0 J T^{ab} N_{p,a} a_b.
- * phi1, phi2 and d (NULL: no damage) have rows of metric.ld; force [18][force_ld] is component 3 p + c of
+/* Invariants I1, I2 (paper eq. 2.15) and area ratio J of n <= LANES elements from their base vectors; the
+ * outputs have rows of metric.ld. */
+void element_kinematics(ReferenceMetric metric, int n, ElementBlock *block, double *I1, double *I2,
+                        double *J);
+
+/* Tensions of n elements (paper eq. 3.2): with phi(I1, I2) per reference area,
+ *   J T^{ab} = 2 (1 - d) [phi_1 A^{ab} + phi_2 (I2 + 1) a^{ab}].
+ * phi1, phi2 and d (NULL: no damage) have rows of metric.ld. */
+void element_tensions(ReferenceMetric metric, int n, ElementBlock *block, const double *phi1,
+                      const double *phi2, const double *d);
+
+/* Their internal force R_p = sum_g dS0 J T^{ab} N_{p,a} a_b; force [18][force_ld] is component 3 p + c of
  * each element. */
-void element_force(const ElementBasis *basis, ReferenceMetric metric, int n, ElementBlock *block,
-                   const double *phi1, const double *phi2, const double *d, double *force,
+void element_force(const ElementBasis *basis, int n, const ElementBlock *block, double *force,
                    ptrdiff_t force_ld);
 
 /* Element mass matrices on the current surface, sum_g J dS0 N_p N_q; mass [21][mass_ld]. */

@@ -1,6 +1,7 @@
 #include "membrane/membrane.h"
 
 #include "base/array.h"
+#include "base/vec3.h"
 #include "membrane/membrane_private.h"
 #include "mesh/p2.h"
 #include "mesh/quadrature.h"
@@ -17,7 +18,7 @@ enum { PARALLEL_BLOCKS = 32 };
 
 /* ---- set-up ---- */
 
-static void fill_basis(Membrane *m) {
+static Status fill_basis(Membrane *m, Error *error) {
   const TriangleRule *rule = triangle_rule(RULE_POINTS);
   for (int g = 0; g < RULE_POINTS; g++) {
     p2_values(rule->point[g][0], rule->point[g][1], m->basis.N[g]);
@@ -26,35 +27,50 @@ static void fill_basis(Membrane *m) {
     for (int p = 0; p < 6; p++)
       for (int q = p; q < 6; q++) m->basis.NN[mass_pair(p, q)][g] = m->basis.N[g][p] * m->basis.N[g][q];
   }
+  if (m->interpolation == INTERPOLATION_QUADRATIC) return STATUS_OK;
+  if (m->mesh->subdivisions == 0)
+    return error_set(
+        error, STATUS_INPUT,
+        "membrane.interpolation: quartic takes four elements that come from halving one: expected "
+        "capsule.mesh.subdivisions of at least 1, found 0");
+  quartic_fill(&m->quartic);
+  return STATUS_OK;
+}
+
+static Status fill_metric(Membrane *m, int orbit, int g, const double A1[3], const double A2[3],
+                          Error *error) {
+  const Orbits *elements = &m->symmetry->elements;
+  const double A11 = vec3_dot(A1, A1), A12 = vec3_dot(A1, A2), A22 = vec3_dot(A2, A2);
+  const double det = A11 * A22 - A12 * A12;
+  if (!(det > 0) || !isfinite(det))
+    return error_set(error, STATUS_INPUT, "the reference mesh is degenerate in element %d",
+                     elements->representative[orbit]);
+  const int k = g * m->n_elements + orbit;
+  m->A11[k] = A22 / det;
+  m->A12[k] = -A12 / det;
+  m->A22[k] = A11 / det;
+  m->inverse_det[k] = 1 / det;
+  m->dS0[k] = m->rule_weight[g] * sqrt(det);
+  m->weight[k] = m->dS0[k] * elements->size[orbit];
+  return STATUS_OK;
 }
 
 static Status fill_reference(Membrane *m, Error *error) {
-  const Mesh *mesh = m->mesh;
-  const Orbits *elements = &m->symmetry->elements;
-  for (int i = 0; i < m->n_elements; i++)
-    for (int g = 0; g < RULE_POINTS; g++) {
-      const int e = elements->representative[i];
-      double A[2][3] = {{0}};
-      for (int p = 0; p < 6; p++)
+  Status status = STATUS_OK;
+  ElementBlock block;
+  for (int first = 0; first < m->n_elements; first += LANES) {
+    const int n = membrane_block_size(m, first);
+    membrane_base_vectors(m, first, n, m->mesh->X, &block);
+    for (int lane = 0; lane < n; lane++)
+      for (int g = 0; g < RULE_POINTS; g++) {
+        double A[2][3];
         for (int c = 0; c < 3; c++)
-          for (int alpha = 0; alpha < 2; alpha++)
-            A[alpha][c] += m->basis.dN[g][p][alpha] * mesh->X[3 * mesh->element[e][p] + c];
-      double metric[2][2] = {{0}};
-      for (int c = 0; c < 3; c++)
-        for (int alpha = 0; alpha < 2; alpha++)
-          for (int beta = 0; beta < 2; beta++) metric[alpha][beta] += A[alpha][c] * A[beta][c];
-      const double det = metric[0][0] * metric[1][1] - metric[0][1] * metric[1][0];
-      if (!(det > 0) || !isfinite(det))
-        return error_set(error, STATUS_INPUT, "the reference mesh is degenerate in element %d", e);
-      const int k = g * m->n_elements + i;
-      m->A11[k] = metric[1][1] / det;
-      m->A12[k] = -metric[0][1] / det;
-      m->A22[k] = metric[0][0] / det;
-      m->inverse_det[k] = 1 / det;
-      m->dS0[k] = m->rule_weight[g] * sqrt(det);
-      m->weight[k] = m->dS0[k] * elements->size[i];
-    }
-  return STATUS_OK;
+          for (int alpha = 0; alpha < 2; alpha++) A[alpha][c] = block.a[g][alpha][c][lane];
+        TRY(fill_metric(m, first + lane, g, A[0], A[1], error));
+      }
+  }
+cleanup:
+  return status;
 }
 
 static Status history_new(MembraneHistory *history, const Membrane *m, Error *error) {
@@ -138,7 +154,7 @@ static Status choose_symmetry(Membrane *m, const Symmetry *symmetry, Error *erro
 }
 
 Status membrane_new(Membrane **membrane, const Mesh *mesh, const Symmetry *symmetry, const Material *material,
-                    MassSolver solver, Error *error) {
+                    MembraneMethod method, Error *error) {
   Status status = STATUS_OK;
   Membrane *m = NULL;
   *membrane = NULL;
@@ -150,7 +166,8 @@ Status membrane_new(Membrane **membrane, const Mesh *mesh, const Symmetry *symme
   m->channels = material_channels(material);
   m->channel_history = m->has_damage && material->damage.damage->update;
   m->is_nonlocal = m->has_damage && material->nonlocal_length > 0;
-  fill_basis(m);
+  m->interpolation = method.interpolation;
+  TRY(fill_basis(m, error));
   double **const arrays[] = {&m->A11,    &m->A12, &m->A22, &m->inverse_det, &m->dS0,
                              &m->weight, &m->I1,  &m->I2,  &m->J,           &m->phi};
   for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) TRY(ARRAY_NEW(arrays[i], m->n_points, error));
@@ -164,7 +181,7 @@ Status membrane_new(Membrane **membrane, const Mesh *mesh, const Symmetry *symme
   TRY(history_new(&m->trial, m, error));
   history_start(&m->accepted, m);
   TRY(assembly_new(&m->assembly, mesh, m->symmetry, error));
-  TRY(mass_new(&m->mass, mesh, m->symmetry, solver, error));
+  TRY(mass_new(&m->mass, mesh, m->symmetry, method.solver, error));
   *membrane = m;
 cleanup:
   if (status != STATUS_OK) membrane_free(m);
@@ -206,11 +223,21 @@ typedef struct {
   LawFailure *failure; /* NULL: not to be kept */
 } BlockTask;
 
-static void gather_nodes(const Membrane *m, BlockTask task, const double *x, ElementBlock *block) {
-  for (int lane = 0; lane < task.n; lane++) {
-    const int *nodes = m->mesh->element[mesh_element(m, task.first + lane)];
+static void gather_nodes(const Membrane *m, int first, int n, const double *x, ElementBlock *block) {
+  for (int lane = 0; lane < n; lane++) {
+    const int *nodes = m->mesh->element[mesh_element(m, first + lane)];
     for (int p = 0; p < 6; p++)
       for (int c = 0; c < 3; c++) block->node[p][c][lane] = x[3 * nodes[p] + c];
+  }
+}
+
+void membrane_base_vectors(const Membrane *m, int first, int n, const double *x, ElementBlock *block) {
+  if (m->interpolation == INTERPOLATION_QUARTIC) {
+    for (int lane = 0; lane < n; lane++)
+      quartic_base_vectors(&m->quartic, m->mesh, mesh_element(m, first + lane), x, lane, block);
+  } else {
+    gather_nodes(m, first, n, x, block);
+    element_base_vectors(&m->basis, n, block);
   }
 }
 
@@ -309,7 +336,7 @@ static Status call_damage_law(const Membrane *m, BlockTask task, int g, Error *e
   return status;
 }
 
-static ReferenceMetric metric_from(const Membrane *m, int first) {
+ReferenceMetric membrane_metric(const Membrane *m, int first) {
   return (ReferenceMetric){
       .A11 = m->A11 + first,
       .A12 = m->A12 + first,
@@ -320,7 +347,7 @@ static ReferenceMetric metric_from(const Membrane *m, int first) {
   };
 }
 
-static int block_size(const Membrane *m, int first) {
+int membrane_block_size(const Membrane *m, int first) {
   const int left = m->n_elements - first;
   return left < LANES ? left : LANES;
 }
@@ -329,17 +356,18 @@ static Status evaluate_block(Membrane *m, BlockTask task, const double *x, Error
   Status status = STATUS_OK;
   const int first = task.first;
   ElementBlock block;
-  const ReferenceMetric metric = metric_from(m, first);
-  gather_nodes(m, task, x, &block);
-  element_kinematics(&m->basis, metric, task.n, &block, m->I1 + first, m->I2 + first, m->J + first);
+  const ReferenceMetric metric = membrane_metric(m, first);
+  membrane_base_vectors(m, first, task.n, x, &block);
+  element_kinematics(metric, task.n, &block, m->I1 + first, m->I2 + first, m->J + first);
   TRY(check_elements(m, task, &block, error));
   for (int g = 0; g < RULE_POINTS; g++) {
     if (task.stage != DAMAGE) TRY(call_elastic_law(m, task, g, error));
     if (task.stage != STRAIN && m->has_damage) TRY(call_damage_law(m, task, g, error));
   }
   if (task.stage == STRAIN) goto cleanup;
-  element_force(&m->basis, metric, task.n, &block, m->dphi + first, m->dphi + m->n_points + first,
-                m->has_damage ? m->trial.d + first : NULL, m->element_force + first, m->n_elements);
+  element_tensions(metric, task.n, &block, m->dphi + first, m->dphi + m->n_points + first,
+                   m->has_damage ? m->trial.d + first : NULL);
+  element_force(&m->basis, task.n, &block, m->element_force + first, m->n_elements);
 cleanup:
   return status;
 }
@@ -359,7 +387,7 @@ static Status evaluate_blocks(Membrane *m, const double *x, double t, double dt,
 #pragma omp parallel for schedule(static) if (n_blocks >= PARALLEL_BLOCKS)
   for (int b = 0; b < n_blocks; b++) {
     const BlockTask task = {
-        .first = b * LANES, .n = block_size(m, b * LANES), .t = t, .dt = dt, .stage = stage};
+        .first = b * LANES, .n = membrane_block_size(m, b * LANES), .t = t, .dt = dt, .stage = stage};
     Error block_error;
     const Status block_status = evaluate_block(m, task, x, &block_error);
     if (block_status != STATUS_OK) {
@@ -373,7 +401,8 @@ static Status evaluate_blocks(Membrane *m, const double *x, double t, double dt,
   }
   if (status != STATUS_OK) {
     const int first = failed_block * LANES;
-    const BlockTask task = {.first = first, .n = block_size(m, first), .t = t, .dt = dt, .stage = stage};
+    const BlockTask task = {
+        .first = first, .n = membrane_block_size(m, first), .t = t, .dt = dt, .stage = stage};
     keep_failure(m, task, x);
   }
   return status;
@@ -402,7 +431,7 @@ cleanup:
 
 Status membrane_load(Membrane *m, LoadAccuracy accuracy, const double *R, double *q, Error *error) {
   for (int first = 0; first < m->n_elements; first += LANES)
-    element_mass(&m->basis, metric_from(m, first), block_size(m, first), m->J + first,
+    element_mass(&m->basis, membrane_metric(m, first), membrane_block_size(m, first), m->J + first,
                  m->element_mass + first, m->n_elements);
   mass_update(&m->mass, m->element_mass);
   return mass_solve(&m->mass, accuracy, R, q, error);

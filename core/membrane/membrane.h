@@ -28,11 +28,16 @@ typedef struct {
 
 typedef struct Membrane Membrane;
 
+typedef struct {
+  MassSolver solver;
+  Interpolation interpolation; /* of positions, for the stretches (docs/decisions/quartic.md) */
+} MembraneMethod;
+
 /* Reference metric once, from mesh->X.  Mesh, symmetry (NULL: none is used) and material must outlive the
- * membrane.  With a symmetry, positions and loads are whole fields that have it, and one element of each
- * orbit is computed. */
+ * membrane.  STATUS_INPUT: degenerate mesh, or quartic interpolation on an icosahedron not halved.  With a
+ * symmetry, positions and loads are whole fields that have it, and one element of each orbit is computed. */
 Status membrane_new(Membrane **membrane, const Mesh *mesh, const Symmetry *symmetry, const Material *material,
-                    MassSolver solver, Error *error);
+                    MembraneMethod method, Error *error);
 void membrane_free(Membrane *membrane);
 
 /* R [n_nodes][3] from positions x [n_nodes][3] at time t + dt, where t is the time of the accepted history
@@ -101,6 +106,11 @@ typedef struct {
 } MembraneRelease;
 MembraneRelease membrane_release_accepted(const Membrane *membrane);
 MembraneRelease membrane_release_trial(const Membrane *membrane);
+/* Gradient of that energy at frozen damage, [n_nodes][3], where x are the positions of the last
+ * membrane_force: its product with velocities is the rate at which the membrane takes up energy.  R is handed
+ * in as found there, which is the gradient with quadratic interpolation, and is replaced with quartic. */
+void membrane_energy_gradient(const Membrane *membrane, const double *x, double *R);
+
 /* int Y dd dS0 between the accepted state and the trial one (trapezoid in Y; exact for d linear in Y). */
 double membrane_dissipation(const Membrane *membrane);
 

@@ -106,6 +106,39 @@ MembraneRelease membrane_release_trial(const Membrane *m) {
   return release(m, &m->trial);
 }
 
+/* Adds the forces of a computed element, and of its images, at their fifteen nodes. */
+static void add_images(const Membrane *m, int orbit, double force[P4_NODES][3], double *R) {
+  const Symmetry *symmetry = m->symmetry;
+  const int element = symmetry->elements.representative[orbit], first = element - element % P4_CHILDREN;
+  for (int k = 0; k < symmetry->n_operations; k++) {
+    const SymmetryOperation *operation = &symmetry->operation[k];
+    /* Each image once: by the operation that the orbits name. */
+    if (symmetry->elements.operation[operation->element[element]] != k) continue;
+    for (int i = 0; i < P4_NODES; i++) {
+      const P4Place place = m->quartic.place[i];
+      const int node = operation->node[m->mesh->element[first + place.child][place.local]];
+      for (int c = 0; c < 3; c++) R[3 * node + c] += operation->sign[c] * force[i][c];
+    }
+  }
+}
+
+void membrane_energy_gradient(const Membrane *m, const double *x, double *R) {
+  if (m->interpolation == INTERPOLATION_QUADRATIC) return;
+  memset(R, 0, 3 * (size_t)m->mesh->n_nodes * sizeof *R);
+  ElementBlock block;
+  for (int first = 0; first < m->n_elements; first += LANES) {
+    const int n = membrane_block_size(m, first);
+    membrane_base_vectors(m, first, n, x, &block);
+    element_tensions(membrane_metric(m, first), n, &block, m->dphi + first, m->dphi + m->n_points + first,
+                     m->has_damage ? m->trial.d + first : NULL);
+    for (int lane = 0; lane < n; lane++) {
+      double force[P4_NODES][3];
+      quartic_force(&m->quartic, m->symmetry->elements.representative[first + lane], lane, &block, force);
+      add_images(m, first + lane, force, R);
+    }
+  }
+}
+
 double membrane_dissipation(const Membrane *m) {
   if (!m->has_damage) return 0;
   const MembraneRelease before = release(m, &m->accepted), now = release(m, &m->trial);

@@ -6,6 +6,7 @@
 #include "membrane/element_kernel.h"
 #include "membrane/mass.h"
 #include "membrane/membrane.h"
+#include "membrane/quartic.h"
 #include "membrane/surface_average.h"
 
 struct Membrane {
@@ -19,6 +20,8 @@ struct Membrane {
   unsigned channels;    /* what the damage law reads, bit mask */
   bool channel_history; /* a damage law of the general kind also reads the accepted values */
   ElementBasis basis;
+  Interpolation interpolation;
+  QuarticBasis quartic; /* filled in where it is used */
   double rule_weight[RULE_POINTS];
 
   /* Reference configuration, [n_points]. */
@@ -41,5 +44,13 @@ struct Membrane {
   LawFailure failure; /* of the last evaluation */
   LawWatch *watch;    /* [LAW_WATCHES] or NULL */
 };
+
+/* Base vectors of computed elements first .. first + n - 1 from positions (or velocities) x [n_nodes][3]. */
+void membrane_base_vectors(const Membrane *m, int first, int n, const double *x, ElementBlock *block);
+
+ReferenceMetric membrane_metric(const Membrane *m, int first);
+
+/* Number of computed elements in the block that begins with `first`. */
+int membrane_block_size(const Membrane *m, int first);
 
 #endif

@@ -11,9 +11,9 @@ static const double BALANCE_SHARE = 0.1;
 
 /* ---- what the energy balance sees, in the units of the law ---- */
 
-static double power(const Record *record, const double *R) {
+static double power(const Record *record, const double *gradient) {
   double sum = 0;
-  for (int i = 0; i < 3 * record->simulation->mesh.n_nodes; i++) sum += R[i] * record->v[i];
+  for (int i = 0; i < 3 * record->simulation->mesh.n_nodes; i++) sum += gradient[i] * record->v[i];
   return sum;
 }
 
@@ -23,7 +23,7 @@ static Status look(void *context, double t, Instant *instant, Error *error) {
   const Status status = record_probe(record, t, error);
   if (status != STATUS_OK) return status;
   const MembraneRelease release = membrane_release_trial(membrane);
-  *instant = (Instant){t, power(record, record->R), membrane_energy(membrane), release.Y, release.d};
+  *instant = (Instant){t, power(record, record->gradient), membrane_energy(membrane), release.Y, release.d};
   return STATUS_OK;
 }
 
@@ -33,7 +33,7 @@ static Instant step_start(Record *record) {
   const double t = s->motion->t;
   s->motion->at(s->motion, t, record->x, record->v);
   const MembraneRelease release = membrane_release_accepted(s->membrane);
-  return (Instant){t, power(record, record->R0), record->stored0, release.Y, release.d};
+  return (Instant){t, power(record, record->gradient0), record->stored0, release.Y, release.d};
 }
 
 /* ---- life ---- */
@@ -46,7 +46,8 @@ Status record_new(Record *record, Simulation *s, Error *error) {
   TRY(ARRAY_NEW(&record->x, n, error));
   TRY(ARRAY_NEW(&record->v, n, error));
   TRY(ARRAY_NEW(&record->R, n, error));
-  TRY(ARRAY_NEW(&record->R0, n, error));
+  TRY(ARRAY_NEW(&record->gradient, n, error));
+  TRY(ARRAY_NEW(&record->gradient0, n, error));
   TRY(ARRAY_NEW(&record->T1, points, error));
   TRY(ARRAY_NEW(&record->T2, points, error));
   if (simulation_is_inflation(s)) {
@@ -70,7 +71,8 @@ void record_free(Record *record) {
   array_free(record->x);
   array_free(record->v);
   array_free(record->R);
-  array_free(record->R0);
+  array_free(record->gradient);
+  array_free(record->gradient0);
   array_free(record->T1);
   array_free(record->T2);
   array_free(record->area_vector);
@@ -125,7 +127,8 @@ static double energy_error(Energies e) {
 
 /* What the next step starts from. */
 static void keep_start(Record *record) {
-  memcpy(record->R0, record->R, 3 * (size_t)record->simulation->mesh.n_nodes * sizeof *record->R);
+  memcpy(record->gradient0, record->gradient,
+         3 * (size_t)record->simulation->mesh.n_nodes * sizeof *record->R);
   record->stored0 = membrane_energy(record->simulation->membrane);
 }
 
@@ -151,7 +154,10 @@ Status record_probe(Record *record, double t, Error *error) {
     status = error->code = STATUS_FAILED;
     error_prefix(error, "inside the step from t = %.6g to %.6g: ", t0, record->t1);
   }
-  return status;
+  if (status != STATUS_OK) return status;
+  memcpy(record->gradient, record->R, 3 * (size_t)s->mesh.n_nodes * sizeof *record->R);
+  membrane_energy_gradient(s->membrane, record->x, record->gradient);
+  return STATUS_OK;
 }
 
 Status record_step(Record *record, double t1, Error *error) {

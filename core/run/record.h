@@ -43,7 +43,9 @@ struct Record {
   Wrinkles *wrinkles;
   double probed_t;            /* time of the membrane's trial state; NAN: not in the proposed step */
   double *x, *v, *R;          /* [n_nodes][3] at the probed time */
-  double *R0;                 /* [n_nodes][3] at the accepted time */
+  double *gradient;           /* [n_nodes][3] of the elastic energy at the probed time, as R on a quadratic
+                                 membrane */
+  double *gradient0;          /* the same at the accepted time */
   double stored0;             /* elastic energy there, in the units of the law */
   Balance balance;            /* of the proposed step */
   double *T1, *T2;            /* [n_points] scratch */

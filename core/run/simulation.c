@@ -236,7 +236,8 @@ Status simulation_new(Simulation *s, Scene *scene, Log *log, Error *error) {
   TRY(simulation_load_laws(s, scene, log, error));
   TRY(shape_start(s, error));
   TRY(find_symmetry(s, error));
-  TRY(membrane_new(&s->membrane, &s->mesh, &s->symmetry, &s->material, scene->membrane.mass_solver, error));
+  const MembraneMethod method = {scene->membrane.mass_solver, scene->membrane.interpolation};
+  TRY(membrane_new(&s->membrane, &s->mesh, &s->symmetry, &s->material, method, error));
   if (simulation_is_inflation(s)) {
     const double longest = scene->output.history_every > 0 ? scene->output.history_every : INFINITY;
     TRY(inflation_motion(&s->inflated, &s->mesh, s->membrane, (const double(*)[2])scene->flow.path,

@@ -263,7 +263,7 @@ static void open_spotted(Shell *shell, double inside, const double gradient[3][3
                            shell->symmetry.elements.n);
   }
   ck_assert_int_eq(membrane_new(&shell->membrane, &shell->mesh, gradient ? &shell->symmetry : NULL,
-                                &shell->material, MASS_PCG, &error),
+                                &shell->material, (MembraneMethod){.solver = MASS_PCG}, &error),
                    STATUS_OK);
 }
 

@@ -221,7 +221,8 @@ START_TEST(a_degenerate_reference_mesh_is_refused_by_name) {
     memcpy(shell.mesh.X + 3 * node[p], shell.mesh.X + 3 * node[0], 3 * sizeof(double));
   Membrane *membrane;
   Error error;
-  ck_assert_int_eq(membrane_new(&membrane, &shell.mesh, NULL, &shell.material, MASS_PCG, &error),
+  ck_assert_int_eq(membrane_new(&membrane, &shell.mesh, NULL, &shell.material,
+                                (MembraneMethod){.solver = MASS_PCG}, &error),
                    STATUS_INPUT);
   ck_assert_ptr_null(membrane);
   ck_assert_ptr_nonnull(strstr(error.text, "element "));
@@ -298,7 +299,8 @@ START_TEST(setup_survives_the_failure_of_any_allocation) {
       Membrane *membrane;
       Error error;
       array_fail_nth(nth);
-      status = membrane_new(&membrane, &shell.mesh, NULL, &shell.material, solvers[k], &error);
+      status = membrane_new(&membrane, &shell.mesh, NULL, &shell.material,
+                            (MembraneMethod){.solver = solvers[k]}, &error);
       array_fail_nth(0);
       if (status == STATUS_OK)
         membrane_free(membrane);

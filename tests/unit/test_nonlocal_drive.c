@@ -13,7 +13,8 @@ static void open_nonlocal(Shell *shell, const char *law, const char *const names
   shell_open_with(shell, 1, scene_law("neo_hookean", NULL, 0), scene_law(law, parameters, 2), MASS_PCG);
   membrane_free(shell->membrane);
   shell->material.nonlocal_length = LENGTH;
-  ck_assert_int_eq(membrane_new(&shell->membrane, &shell->mesh, NULL, &shell->material, MASS_PCG, &error),
+  ck_assert_int_eq(membrane_new(&shell->membrane, &shell->mesh, NULL, &shell->material,
+                                (MembraneMethod){.solver = MASS_PCG}, &error),
                    STATUS_OK);
 }
 
@@ -126,7 +127,8 @@ START_TEST(setup_survives_the_failure_of_any_allocation) {
     Membrane *membrane;
     Error error;
     array_fail_nth(nth);
-    status = membrane_new(&membrane, &shell.mesh, NULL, &shell.material, MASS_PCG, &error);
+    status = membrane_new(&membrane, &shell.mesh, NULL, &shell.material, (MembraneMethod){.solver = MASS_PCG},
+                          &error);
     array_fail_nth(0);
     if (status == STATUS_OK)
       membrane_free(membrane);

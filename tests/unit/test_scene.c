@@ -29,6 +29,7 @@ START_TEST(every_key_lands_in_the_scene) {
       "  parameters: {G_s: 1, C: 10}\n"
       "  damage: {law: ./my.so#acme.creep, parameters: {tau: 2 s}, d_max: 0.9, nonlocal: {length: 0.25}}\n"
       "  mass_solver: umfpack\n"
+      "  interpolation: quartic\n"
       "flow: {kind: linear, capillary_number: 0.3, gradient: [[0, 0, 2], [0, 0, 0], [1, 0, 0]],\n"
       "       strength: [[0, 1], [2, -1]], period: 3}\n"
       "start: {axes: [1.1, 1, 0.9], noise: 1e-6, seed: 8}\n"
@@ -65,13 +66,14 @@ START_TEST(every_key_lands_in_the_scene) {
   ck_assert_uint_eq(s.observe.n_criteria, 2);
   ck_assert_str_eq(s.observe.criteria[0].name, "rankine");
   ck_assert_str_eq(s.observe.criteria[0].law.parameters[0].name, "T_D");
-  ck_assert_int_eq(s.observe.criteria[0].law.place.line, 16);
+  ck_assert_int_eq(s.observe.criteria[0].law.place.line, 17);
   ck_assert_str_eq(s.observe.criteria[1].name, "b");
   ck_assert_str_eq(s.observe.criteria[1].law.law, "./x.so#y.z");
   ck_assert_uint_eq(s.observe.criteria[1].law.n_parameters, 0);
   ck_assert_int_eq(s.membrane.mass_solver, MASS_UMFPACK);
+  ck_assert_int_eq(s.membrane.interpolation, INTERPOLATION_QUARTIC);
   ck_assert_int_eq(s.flow.kind, FLOW_LINEAR);
-  ck_assert_int_eq(s.flow.place.line, 11);
+  ck_assert_int_eq(s.flow.place.line, 12);
   ck_assert(s.flow.capillary_number == 0.3 && !s.flow.is_physical);
   ck_assert(s.flow.gradient[0][2] == 2 && s.flow.gradient[2][0] == 1 && s.flow.gradient[1][1] == 0);
   ck_assert_uint_eq(s.flow.n_strength, 2);
@@ -103,6 +105,7 @@ START_TEST(a_short_scene_gets_the_documented_defaults) {
   ck_assert(!s.membrane.has_damage);
   ck_assert_ptr_null(s.membrane.damage.law);
   ck_assert_int_eq(s.membrane.mass_solver, MASS_PCG);
+  ck_assert_int_eq(s.membrane.interpolation, INTERPOLATION_QUADRATIC);
   ck_assert_int_eq(s.time.integrator, INTEGRATOR_RKC3);
   ck_assert(s.time.step_is_auto && s.time.tolerance == 1e-4 && !s.time.allow_unstable);
   ck_assert_int_eq(s.stop.rupture, RUPTURE_STOP);
@@ -215,6 +218,7 @@ static void expect_round_trip(const Scene *a) {
   expect_same_law(&a->membrane.damage, &b.membrane.damage);
   ck_assert_mem_eq(&a->membrane.d_max, &b.membrane.d_max, sizeof(double));
   ck_assert_int_eq(a->membrane.mass_solver, b.membrane.mass_solver);
+  ck_assert_int_eq(a->membrane.interpolation, b.membrane.interpolation);
   ck_assert_int_eq(a->flow.kind, b.flow.kind);
   ck_assert_mem_eq(&a->flow.capillary_number, &b.flow.capillary_number, sizeof(double));
   ck_assert_mem_eq(a->flow.gradient, b.flow.gradient, sizeof a->flow.gradient);

@@ -66,6 +66,9 @@ END_TEST
 
 START_TEST(keys_that_exclude_each_other_are_refused) {
   static const BadScene table[] = {
+      {"schema: 1\ncapsule: {mesh: {subdivisions: 0}}\nmembrane: {law: a, interpolation: quartic}\n" SHEAR
+           END,
+       "scene.yaml:3:35:", "`capsule.mesh.subdivisions` is 0), found `quartic`"},
       {MEMBRANE PHYSICAL "  capillary_number: 1\n" END, "scene.yaml:8:3:", "`flow.physical` is not given"},
       {MEMBRANE "flow: {kind: inflation, capillary_number: 1, path: [[0, 0], [10, 1]]}\n" END,
        "scene.yaml:5:25:", "only where `flow.kind` is not `inflation`"},
