@@ -112,13 +112,19 @@ static Status bench_D12(Bench *bench) {
                   work->reference.run.state[3].D12, 20 << 2 * work->reference.knobs.subdivisions));
   for (int k = 0; k < 3; k++) {
     const WorkPoint *point = work_cheapest(work->point, work->n, offsetof(WorkError, D12), limits[k]);
-    if (!point)
+    if (!point) {
       TRY(text_append(bench->page, bench->error, " Within %g %%: not reached.", 100 * limits[k]));
-    else
-      TRY(text_append(
-          bench->page, bench->error, " Within %g %%: %.3f CPU s (%d elements, %s, %s %s, %lld evaluations).",
-          100 * limits[k], point->run.cpu_seconds, 20 << 2 * point->knobs.subdivisions, point->knobs.method,
-          point->knobs.integrator, point->knobs.tolerance, point->run.evaluations));
+      continue;
+    }
+    RunCost alone;
+    TRY(work_run(work->of, &point->knobs, 1, &alone, bench->error));
+    TRY(text_append(bench->page, bench->error,
+                    " Within %g %%: %.3f CPU s on one thread, %.3f on two (%d elements, %s, %s, %s %s, %lld "
+                    "evaluations, off by %.3f %%).",
+                    100 * limits[k], alone.cpu_seconds, point->run.cpu_seconds,
+                    20 << 2 * point->knobs.subdivisions, point->knobs.interpolation, point->knobs.method,
+                    point->knobs.integrator, point->knobs.tolerance, point->run.evaluations,
+                    100 * point->error.D12));
   }
   TRY(text_append(bench->page, bench->error, "\n"));
 cleanup:

@@ -2,6 +2,7 @@
 
 #include "observe/chart.h"
 #include <math.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -20,18 +21,19 @@ static int elements_of(const WorkKnobs *knobs) {
 
 static Status print_row(const WorkPoint *point, Text *markdown, Error *error) {
   const WorkKnobs *knobs = &point->knobs;
-  return text_append(markdown, error, " %d | %s | %s %s | %.3f | %.3f | %lld | %.1e | %.1e | %.1e |",
-                     elements_of(knobs), knobs->method, knobs->integrator, knobs->tolerance,
-                     point->run.cpu_seconds, point->run.seconds, point->run.evaluations, point->error.shape,
-                     point->error.D12, point->error.d_max);
+  return text_append(markdown, error, " %d | %s | %s | %s %s | %.3f | %.3f | %lld | %.1e | %.1e | %.1e |",
+                     elements_of(knobs), knobs->interpolation, knobs->method, knobs->integrator,
+                     knobs->tolerance, point->run.cpu_seconds, point->run.seconds, point->run.evaluations,
+                     point->error.shape, point->error.D12, point->error.d_max);
 }
 
 Status work_print_choices(const WorkPrecision *work, Text *markdown, Error *error) {
   Status status;
   TRY(text_append(
       markdown, error,
-      "| shape within | elements | method | integrator | CPU s | seconds | evaluations | error of shape | of "
-      "D12 | of d_max | mostly |\n|---|---|---|---|---|---|---|---|---|---|---|\n"));
+      "| shape within | elements | interpolation | method | integrator | CPU s | seconds | evaluations | "
+      "error of "
+      "shape | of D12 | of d_max | mostly |\n|---|---|---|---|---|---|---|---|---|---|---|---|\n"));
   for (int k = 0; k < N_AIMS; k++) {
     const WorkPoint *best = work_cheapest(work->point, work->n, offsetof(WorkError, shape), AIMS[k].limit);
     TRY(text_append(markdown, error, "| %s |", AIMS[k].label));
@@ -39,7 +41,7 @@ Status work_print_choices(const WorkPrecision *work, Text *markdown, Error *erro
       TRY(print_row(best, markdown, error));
       TRY(text_append(markdown, error, " %s |\n", work_dominating(best)));
     } else {
-      TRY(text_append(markdown, error, " not reached | | | | | | | | | |\n"));
+      TRY(text_append(markdown, error, " not reached | | | | | | | | | | |\n"));
     }
   }
 cleanup:
@@ -48,11 +50,11 @@ cleanup:
 
 Status work_print_grid(const WorkPrecision *work, Text *markdown, Error *error) {
   Status status;
-  TRY(text_append(
-      markdown, error,
-      "| elements | method | integrator | CPU s | seconds | evaluations | error of shape | of D12 | of d_max "
-      "| by space | by quadrature | by time | mostly | "
-      "|\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n"));
+  TRY(text_append(markdown, error,
+                  "| elements | interpolation | method | integrator | CPU s | seconds | evaluations | error "
+                  "of shape | of D12 "
+                  "| of d_max | by space | by quadrature | by time | mostly | "
+                  "|\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n"));
   for (int k = 0; k < work->n; k++) {
     const WorkPoint *point = &work->point[k];
     TRY(text_append(markdown, error, "|"));
@@ -72,7 +74,9 @@ static const WorkPoint *best_on_mesh(const WorkPrecision *work, int subdivisions
   if (work->reference.knobs.subdivisions == subdivisions) return &work->reference;
   const WorkPoint *best = NULL;
   for (int k = 0; k < work->n; k++)
-    if (work->point[k].knobs.subdivisions == subdivisions && strcmp(work->point[k].knobs.method, "fast") == 0)
+    if (work->point[k].knobs.subdivisions == subdivisions &&
+        strcmp(work->point[k].knobs.interpolation, "quadratic") == 0 &&
+        strcmp(work->point[k].knobs.method, "fast") == 0)
       best = &work->point[k];
   return best;
 }
@@ -99,7 +103,7 @@ cleanup:
 
 /* --- the picture --- */
 
-enum { MAX_SERIES = 16, MAX_VALUES = 4 * WORK_POINTS };
+enum { MAX_SERIES = 24, MAX_VALUES = 4 * WORK_POINTS };
 
 /* Series under construction; values stand one after the other in x and y. */
 typedef struct {
@@ -137,17 +141,26 @@ static void close_series(Plot *plot) {
 }
 
 static void plot_tolerances(const WorkPrecision *work, Plot *plot) {
-  static const char *const methods[] = {"fast", "direct", "reference"};
+  static const struct {
+    const char *interpolation, *method;
+    int mark;
+  } schemes[] = {{"quadratic", "fast", 1},
+                 {"quadratic", "direct", 2},
+                 {"quadratic", "reference", 3},
+                 {"quartic", "fast", 5}};
   for (int level = 1; level < work->reference.knobs.subdivisions; level++)
-    for (int m = 0; m < 3; m++) {
+    for (size_t m = 0; m < sizeof schemes / sizeof *schemes; m++) {
       char label[64];
-      snprintf(label, sizeof label, "%s, %d elements", methods[m], 20 << 2 * level);
-      open_series(plot, label, CHART_LINE_AND_MARKS, level, m + 1);
+      const bool is_quartic = strcmp(schemes[m].interpolation, "quartic") == 0;
+      snprintf(label, sizeof label, "%s, %d elements", is_quartic ? "quartic" : schemes[m].method,
+               20 << 2 * level);
+      open_series(plot, label, CHART_LINE_AND_MARKS, level, schemes[m].mark);
       for (int k = 0; k < work->n; k++) {
-        const WorkPoint *point = &work->point[k];
-        if (point->knobs.subdivisions == level && strcmp(point->knobs.method, methods[m]) == 0 &&
-            strcmp(point->knobs.integrator, "rkc3") == 0)
-          add_point(plot, point);
+        const WorkKnobs *knobs = &work->point[k].knobs;
+        if (knobs->subdivisions == level && strcmp(knobs->method, schemes[m].method) == 0 &&
+            strcmp(knobs->interpolation, schemes[m].interpolation) == 0 &&
+            strcmp(knobs->integrator, "rkc3") == 0)
+          add_point(plot, &work->point[k]);
       }
       close_series(plot);
     }

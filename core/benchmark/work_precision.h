@@ -11,7 +11,7 @@
 /* The knobs that a user has. */
 typedef struct {
   int subdivisions;
-  const char *method, *integrator, *tolerance; /* as in a scene */
+  const char *interpolation, *method, *integrator, *tolerance; /* as in a scene */
 } WorkKnobs;
 
 /* Differences to another state. */
@@ -38,9 +38,10 @@ typedef struct {
   size_t n_times;
 } WorkCase;
 
-enum { WORK_POINTS = 4 * 3 * 2 * 5 }; /* no more meshes, methods, integrators and tolerances */
+enum { WORK_POINTS = 4 * 4 * 2 * 6 }; /* no more meshes, methods, integrators and tolerances */
 
 typedef struct {
+  const WorkCase *of;
   WorkPoint point[WORK_POINTS];
   int n;
   WorkPoint reference; /* on the finest mesh */
@@ -55,6 +56,9 @@ typedef struct {
   void (*tell)(void *context, const char *line, double share); /* may be NULL */
   void *context;
 } WorkProgress;
+
+/* The cost and the states of one run of a case. */
+Status work_run(const WorkCase *work, const WorkKnobs *knobs, int threads, RunCost *run, Error *error);
 
 /* Runs the grid: meshes up to 5120 elements against 20480; without `full`, up to 1280 against 5120 and fewer
  * points. */

@@ -10,9 +10,9 @@ static void make_grid(WorkPrecision *work) {
   static const double times[] = {1, 2};
   const RunState state = {.D12 = 0.5, .L = {3, 1, 2}};
   double dear = 1;
-  *work = (WorkPrecision){.n = 6, .reference = {.knobs = {4, "fast", "rkc3", "1e-5"}}};
+  *work = (WorkPrecision){.n = 6, .reference = {.knobs = {4, "quadratic", "fast", "rkc3", "1e-5"}}};
   for (int k = 0; k < 6; k++) {
-    work->point[k] = (WorkPoint){.knobs = {1 + k / 2, "fast", "rkc3", k % 2 ? "1e-4" : "1e-2"},
+    work->point[k] = (WorkPoint){.knobs = {1 + k / 2, "quadratic", "fast", "rkc3", k % 2 ? "1e-4" : "1e-2"},
                                  .run = {.times = times, .n_times = 2, .cpu_seconds = 0.1 * dear},
                                  .error = {.shape = 2e-2 / dear},
                                  .space = 1e-2 / dear,
@@ -34,9 +34,9 @@ START_TEST(the_cheapest_choice_is_told_for_each_aim) {
   WorkPrecision work;
   make_grid(&work);
   ck_assert_int_eq(work_print_choices(&work, &text, &error), STATUS_OK);
-  check_holds(&text, "| 1 % | 80 | fast | rkc3 1e-4 | 0.200 |");
-  check_holds(&text, "| 0.1 % | 320 | fast | rkc3 1e-4 | 2.000 |");
-  check_holds(&text, "| 0.01 % | 1280 | fast | rkc3 1e-4 | 20.000 |");
+  check_holds(&text, "| 1 % | 80 | quadratic | fast | rkc3 1e-4 | 0.200 |");
+  check_holds(&text, "| 0.1 % | 320 | quadratic | fast | rkc3 1e-4 | 2.000 |");
+  check_holds(&text, "| 0.01 % | 1280 | quadratic | fast | rkc3 1e-4 | 20.000 |");
   work.n = 4;
   text_free(&text);
   ck_assert_int_eq(work_print_choices(&work, &text, &error), STATUS_OK);

@@ -80,7 +80,7 @@ START_TEST(the_exponent_of_a_power_law_is_found) {
 END_TEST
 
 typedef struct {
-  char method[16], integrator[8], tolerance[8];
+  char interpolation[16], method[16], integrator[8], tolerance[8];
   double measured, expected;
 } Timed;
 
@@ -92,11 +92,12 @@ static int read_table(Timed *timed, int capacity) {
   ck_assert_ptr_nonnull(page);
   while (n < capacity && fgets(line, sizeof line, page)) {
     Timed *t = &timed[n];
-    if (sscanf(line, "| %d | %15s | %7s %7s | %*f | %lf | %*d | %*f", &elements, t->method, t->integrator,
-               t->tolerance, &t->measured) != 5)
+    if (sscanf(line, "| %d | %15s | %15s | %7s %7s | %*f | %lf | %*d | %*f", &elements, t->interpolation,
+               t->method, t->integrator, t->tolerance, &t->measured) != 6)
       continue;
     const int subdivisions = (int)lround(log2(elements / 20) / 2);
-    t->expected = work_expected_seconds(&(WorkKnobs){subdivisions, t->method, t->integrator, t->tolerance});
+    t->expected = work_expected_seconds(
+        &(WorkKnobs){subdivisions, t->interpolation, t->method, t->integrator, t->tolerance});
     n++;
   }
   fclose(page);
