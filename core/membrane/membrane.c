@@ -73,46 +73,6 @@ cleanup:
   return status;
 }
 
-static Status history_new(MembraneHistory *history, const Membrane *m, Error *error) {
-  Status status = STATUS_OK;
-  const size_t n = (size_t)m->n_points;
-  const int elastic_vars = material_elastic_vars(m->material),
-            damage_vars = material_damage_vars(m->material);
-  if (elastic_vars > 0) TRY(ARRAY_NEW(&history->elastic_state, n * (size_t)elastic_vars, error));
-  if (m->has_damage) {
-    TRY(ARRAY_NEW(&history->Ymax, n, error));
-    TRY(ARRAY_NEW(&history->d, n, error));
-    if (damage_vars > 0) TRY(ARRAY_NEW(&history->damage_state, n * (size_t)damage_vars, error));
-  }
-  if (m->channel_history)
-    for (int c = 0; c < MLAW_N_CHANNELS; c++)
-      if (m->channels & (1u << c)) TRY(ARRAY_NEW(&history->channel[c], n, error));
-  if (m->is_nonlocal && history == &m->accepted) TRY(ARRAY_NEW(&history->Y, n, error));
-cleanup:
-  return status;
-}
-
-static void history_free(MembraneHistory *history) {
-  array_free(history->Ymax);
-  array_free(history->d);
-  array_free(history->elastic_state);
-  array_free(history->damage_state);
-  array_free(history->Y);
-  for (int c = 0; c < MLAW_N_CHANNELS; c++) array_free(history->channel[c]);
-}
-
-/* History variables start at the values that their law declares, channels at those of the undeformed
- * membrane. */
-static void history_start(MembraneHistory *history, const Membrane *m) {
-  if (history->elastic_state)
-    material_start_state(m->material, LAW_ENERGY, m->n_points, m->n_points, history->elastic_state);
-  if (history->damage_state)
-    material_start_state(m->material, LAW_DAMAGE, m->n_points, m->n_points, history->damage_state);
-  for (int c = MLAW_L1; c <= MLAW_L2; c++)
-    if (history->channel[c])
-      for (int k = 0; k < m->n_points; k++) history->channel[c][k] = 1;
-}
-
 static Status channels_new(Membrane *m, Error *error) {
   Status status = STATUS_OK;
   m->channel[MLAW_Y] = m->phi;
@@ -177,9 +137,9 @@ Status membrane_new(Membrane **membrane, const Mesh *mesh, const Symmetry *symme
   TRY(fill_reference(m, error));
   TRY(channels_new(m, error));
   if (m->is_nonlocal) TRY(average_new(m, error));
-  TRY(history_new(&m->accepted, m, error));
-  TRY(history_new(&m->trial, m, error));
-  history_start(&m->accepted, m);
+  TRY(membrane_history_new(&m->accepted, m, error));
+  TRY(membrane_history_new(&m->trial, m, error));
+  membrane_history_start(&m->accepted, m);
   TRY(assembly_new(&m->assembly, mesh, m->symmetry, error));
   TRY(mass_new(&m->mass, mesh, m->symmetry, method.solver, error));
   *membrane = m;
@@ -196,8 +156,8 @@ void membrane_free(Membrane *m) {
   for (int c = MLAW_L1; c <= MLAW_T2; c++) array_free(m->channel[c]);
   for (int c = 0; m->is_nonlocal && c < MLAW_N_CHANNELS; c++) array_free(m->drive[c]);
   surface_average_free(&m->average);
-  history_free(&m->accepted);
-  history_free(&m->trial);
+  membrane_history_free(&m->accepted);
+  membrane_history_free(&m->trial);
   assembly_free(&m->assembly);
   mass_free(&m->mass);
   law_failure_free(&m->failure);
@@ -435,20 +395,4 @@ Status membrane_load(Membrane *m, LoadAccuracy accuracy, const double *R, double
                  m->element_mass + first, m->n_elements);
   mass_update(&m->mass, m->element_mass);
   return mass_solve(&m->mass, accuracy, R, q, error);
-}
-
-void membrane_commit(Membrane *m) {
-  const size_t bytes = (size_t)m->n_points * sizeof(double);
-  const MembraneHistory *from = &m->trial, *to = &m->accepted;
-  if (m->has_damage) {
-    memcpy(to->Ymax, from->Ymax, bytes);
-    memcpy(to->d, from->d, bytes);
-  }
-  if (to->elastic_state)
-    memcpy(to->elastic_state, from->elastic_state, (size_t)material_elastic_vars(m->material) * bytes);
-  if (to->damage_state)
-    memcpy(to->damage_state, from->damage_state, (size_t)material_damage_vars(m->material) * bytes);
-  for (int c = 0; c < MLAW_N_CHANNELS; c++)
-    if (to->channel[c]) memcpy(to->channel[c], from->channel[c], bytes);
-  if (to->Y) memcpy(to->Y, m->phi, bytes);
 }

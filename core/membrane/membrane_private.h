@@ -1,4 +1,4 @@
-/* What membrane.c and membrane_fields.c share. */
+/* What membrane.c, membrane_history.c and membrane_fields.c share. */
 #ifndef CAPSELLA_MEMBRANE_MEMBRANE_PRIVATE_H
 #define CAPSELLA_MEMBRANE_MEMBRANE_PRIVATE_H
 
@@ -44,6 +44,18 @@ struct Membrane {
   LawFailure failure; /* of the last evaluation */
   LawWatch *watch;    /* [LAW_WATCHES] or NULL */
 };
+
+/* ---- membrane_history.c ---- */
+
+/* Arrays for what the laws of the membrane remember, which it knows already; none of what they do not. */
+Status membrane_history_new(MembraneHistory *history, const Membrane *m, Error *error);
+void membrane_history_free(MembraneHistory *history);
+
+/* History variables start at the values that their law declares, channels at those of the undeformed
+ * membrane. */
+void membrane_history_start(MembraneHistory *history, const Membrane *m);
+
+/* ---- membrane.c ---- */
 
 /* Base vectors of computed elements first .. first + n - 1 from positions (or velocities) x [n_nodes][3]. */
 void membrane_base_vectors(const Membrane *m, int first, int n, const double *x, ElementBlock *block);

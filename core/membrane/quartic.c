@@ -4,6 +4,8 @@
 #include "base/vector_clones.h"
 #include "mesh/quadrature.h"
 
+#include <string.h>
+
 void quartic_fill(QuarticBasis *basis) {
   const TriangleRule *rule = triangle_rule(RULE_POINTS);
   p4_places(basis->place);
@@ -19,16 +21,27 @@ void quartic_fill(QuarticBasis *basis) {
 VECTOR_CLONES
 void quartic_base_vectors(const QuarticBasis *basis, const Mesh *mesh, int element, const double *x, int lane,
                           ElementBlock *block) {
+  enum { DERIVATIVES = 2 * RULE_POINTS };
   const int child = element % P4_CHILDREN, first = element - child;
-  double a[3][2 * RULE_POINTS] = {{0}};
+  const double(*restrict dN)[DERIVATIVES] = basis->dN[child];
+  double node[P4_NODES][3], a[3][DERIVATIVES];
   for (int m = 0; m < P4_NODES; m++) {
-    const double *dN = basis->dN[child][m];
-    const double *node = &x[3 * mesh->element[first + basis->place[m].child][basis->place[m].local]];
-    for (int c = 0; c < 3; c++)
-      for (int k = 0; k < 2 * RULE_POINTS; k++) a[c][k] += dN[k] * node[c];
+    const P4Place place = basis->place[m];
+    memcpy(node[m], &x[3 * mesh->element[first + place.child][place.local]], sizeof node[m]);
   }
-  for (int c = 0; c < 3; c++)
-    for (int k = 0; k < 2 * RULE_POINTS; k++) block->a[k / 2][k % 2][c][lane] = a[c][k];
+  for (int c = 0; c < 3; c++) {
+#pragma omp simd
+    for (int k = 0; k < DERIVATIVES; k++) {
+      double sum = 0;
+      for (int m = 0; m < P4_NODES; m++) sum += dN[m][k] * node[m][c];
+      a[c][k] = sum;
+    }
+  }
+  for (int g = 0; g < RULE_POINTS; g++)
+    for (int c = 0; c < 3; c++) {
+      block->a[g][0][c][lane] = a[c][2 * g];
+      block->a[g][1][c][lane] = a[c][2 * g + 1];
+    }
 }
 
 void quartic_force(const QuarticBasis *basis, int element, int lane, const ElementBlock *block,
