@@ -19,6 +19,9 @@ static const double FACING = 1;
 /* What has its foot on an element is not farther beside the axis of its triangle than so many radii, squared:
  * a film leans as the normals of a curved element do. */
 static const double WIDE = 3;
+/* Only across thinner films is it certain that nothing else lies between: where the surface crosses itself
+ * there are some. */
+static const double CROSSING = 0.5;
 /* Largest sum of the shape functions of the mid-edge nodes on an element. */
 static const double MIDDLES = 4.0 / 3;
 
@@ -200,7 +203,7 @@ static void look_at_pair(ContactSearch *search, int l, int a, int b) {
 /* Between two sheets that face each other with their inner sides the surface winds around once, with their
  * outer sides not at all, unless it crosses itself. */
 static bool is_turned_over(const ContactSearch *search, const Contact *film, int winding) {
-  return film->node >= 0 && (int)rint(winding_number(search->mesh, search->x, film->place)) != winding;
+  return film->share < CROSSING && (int)rint(winding_number(search->mesh, search->x, film->place)) != winding;
 }
 
 Contact contact_find(ContactSearch *search, const double *x) {

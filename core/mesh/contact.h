@@ -4,7 +4,7 @@
  * face each other: their outward normals point in opposite directions.  Looked for are nodes that have an
  * element across a film thinner than that element is wide, and the thinnest film relative to the width. Parts
  * that were less than three elements apart at rest are neighbours and not looked at: a narrow crest is no
- * contact. */
+ * contact, and on the 20 triangles of the icosahedron there is none. */
 #ifndef CAPSELLA_MESH_CONTACT_H
 #define CAPSELLA_MESH_CONTACT_H
 
