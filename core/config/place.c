@@ -4,6 +4,9 @@
 #include <stdarg.h>
 #include <stdio.h>
 
+#undef place_error /* what the analyzer is told */
+#undef place_prefix
+
 Status place_error(const SourcePlace *place, Error *error, const char *format, ...) {
   char text[sizeof error->text];
   va_list arguments;

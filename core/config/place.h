@@ -16,4 +16,9 @@ Status place_error(const SourcePlace *place, Error *error, const char *format, .
 /* Puts the place in front of a message that is already there; returns the code stored with it. */
 Status place_prefix(const SourcePlace *place, Error *error);
 
+#ifdef __clang_analyzer__ /* as in status.h */
+#define place_error(place, ...)    (place_error(place, __VA_ARGS__), STATUS_INPUT)
+#define place_prefix(place, error) (place_prefix(place, error), STATUS_FAILED)
+#endif
+
 #endif
