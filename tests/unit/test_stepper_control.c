@@ -28,6 +28,7 @@ START_TEST(a_fixed_step_within_the_limit_runs_and_decays) {
   go_to(&s, 5);
   ck_assert_double_lt(fabs(s.x[0]), 1e-8);
   ck_assert_double_eq_tol(s.x[1], exp(-5), 1e-5);
+  ck_assert_double_eq(s.memory.unstable_steps, 0);
   stepper_free(&s);
 }
 END_TEST
@@ -39,6 +40,7 @@ START_TEST(allow_unstable_lets_the_same_step_through) {
   Stepper s = started(decay_rhs(&decay), options, ONES);
   go_to(&s, 1);
   ck_assert_double_gt(fabs(s.x[0]), 10); /* and it shows */
+  ck_assert_double_eq(s.memory.unstable_steps, 40);
   stepper_free(&s);
 }
 END_TEST
@@ -82,6 +84,21 @@ START_TEST(automatic_steps_stay_stable_where_the_error_would_let_them_grow) {
     else /* stages take the place of steps */
       ck_assert_double_lt(s.memory.steps, 500);
     ck_assert_double_lt(s.memory.rejected_steps, 0.05 * s.memory.steps + 10);
+    stepper_free(&s);
+  }
+}
+END_TEST
+
+START_TEST(no_automatic_step_is_longer_than_the_limit_allows) {
+  /* Any error is within this tolerance: nothing else holds the step back. */
+  const Rhs rhs = {.n = 3, .evaluate = stiffening_evaluate};
+  for (int k = 0; k < N_KINDS; k++) {
+    Stepper s = started(rhs, automatic(KINDS[k], 1e6), ONES);
+    while (s.memory.t < 2) {
+      must_propose(&s, 2);
+      ck_assert_double_lt(s.t1 - s.memory.t, stepper_stability_limit(&s));
+      stepper_accept(&s);
+    }
     stepper_free(&s);
   }
 }
@@ -222,14 +239,14 @@ END_TEST
 int main(void) {
   return suite_run(
       "stepper_control",
-      (SuiteTests){a_fixed_step_beyond_the_limit_is_refused_with_the_limit,
-                   a_fixed_step_within_the_limit_runs_and_decays, allow_unstable_lets_the_same_step_through,
-                   a_fixed_step_that_becomes_unstable_is_stopped_on_the_way,
-                   automatic_steps_stay_stable_where_the_error_would_let_them_grow,
-                   without_any_stiffness_the_error_alone_decides,
-                   between_exact_ends_the_dense_output_errs_by_h4_in_x_and_h3_in_v,
-                   the_dense_output_meets_both_ends,
-                   a_shortened_step_ends_where_the_dense_output_says_and_the_run_goes_on_from_there,
-                   an_invariant_of_the_equation_is_kept_at_every_end_and_in_between,
-                   a_restored_stepper_goes_on_bitwise_the_same, NULL});
+      (SuiteTests){
+          a_fixed_step_beyond_the_limit_is_refused_with_the_limit,
+          a_fixed_step_within_the_limit_runs_and_decays, allow_unstable_lets_the_same_step_through,
+          a_fixed_step_that_becomes_unstable_is_stopped_on_the_way,
+          automatic_steps_stay_stable_where_the_error_would_let_them_grow,
+          no_automatic_step_is_longer_than_the_limit_allows, without_any_stiffness_the_error_alone_decides,
+          between_exact_ends_the_dense_output_errs_by_h4_in_x_and_h3_in_v, the_dense_output_meets_both_ends,
+          a_shortened_step_ends_where_the_dense_output_says_and_the_run_goes_on_from_there,
+          an_invariant_of_the_equation_is_kept_at_every_end_and_in_between,
+          a_restored_stepper_goes_on_bitwise_the_same, NULL});
 }

@@ -90,6 +90,34 @@ START_TEST(nodes_in_place_are_not_enough_when_an_element_is_not) {
 }
 END_TEST
 
+START_TEST(values_at_the_elements_leave_only_the_operations_that_keep_them) {
+  Error error;
+  Mesh mesh = sphere(1, NULL);
+  double *above = malloc((size_t)mesh.n_elements * sizeof *above);
+  for (int e = 0; e < mesh.n_elements; e++) {
+    double z = 0;
+    for (int k = 0; k < 3; k++) z += mesh.X[3 * mesh.element[e][k] + 2];
+    above[e] = fabs(z) < 1e-12 ? 0.5 : z > 0;
+  }
+  Symmetry symmetry = group(&mesh, NULL);
+  ck_assert_int_eq(symmetry_keep_field(&symmetry, &mesh, above, &error), STATUS_OK);
+  ck_assert_int_eq(symmetry.n_operations, 4);
+  for (int k = 0; k < symmetry.n_operations; k++) ck_assert_double_eq(symmetry.operation[k].sign[2], 1);
+  for (int e = 0; e < mesh.n_elements; e++) /* an orbit has one value */
+    ck_assert_double_eq(above[symmetry.elements.representative[symmetry.elements.orbit[e]]], above[e]);
+  int lonely = 0; /* no operation but the identity leaves it in place */
+  while (symmetry.elements.size[symmetry.elements.orbit[lonely]] < 4)
+    ck_assert_int_lt(++lonely, mesh.n_elements);
+  above[lonely] = 2;
+  ck_assert_int_eq(symmetry_keep_field(&symmetry, &mesh, above, &error), STATUS_OK);
+  ck_assert_int_eq(symmetry.n_operations, 1);
+  ck_assert_int_eq(symmetry.elements.n, mesh.n_elements);
+  symmetry_free(&symmetry);
+  free(above);
+  mesh_free(&mesh);
+}
+END_TEST
+
 START_TEST(operations_take_nodes_onto_their_mirrored_places_and_are_their_own_inverse) {
   Mesh mesh = sphere(3, NULL);
   Symmetry symmetry = group(&mesh, NULL);
@@ -284,6 +312,7 @@ int main(void) {
                    planar_hyperbolic_flow_and_no_flow_keep_all_eight_and_any_linear_flow_the_inversion,
                    a_turned_mesh_keeps_only_what_the_turn_leaves, one_node_out_of_place_leaves_the_identity,
                    nodes_in_place_are_not_enough_when_an_element_is_not,
+                   values_at_the_elements_leave_only_the_operations_that_keep_them,
                    operations_take_nodes_onto_their_mirrored_places_and_are_their_own_inverse,
                    elements_follow_their_nodes_and_turn_their_sense_under_reflections,
                    operations_form_a_group, orbits_partition_nodes_and_elements,
