@@ -38,3 +38,8 @@ compare 1e-12 1e-12 --set time.integrator=rk2 --set time.end=0.5 --set membrane.
 # The roots of the icosahedron, of four elements each, are no images of each other.
 compare 1e-12 1e-12 --set capsule.mesh.subdivisions=0 --set fluid.coarse_stages=false --set time.end=0.5 \
   --set membrane.damage.parameters.Y_D=0.001
+
+# A start that was shaken has no symmetry, and none is used.
+"$capsella" run "$root/configs/shear_quick.yaml" --quiet -o shaken --set start.noise=1e-3 --set time.end=0.05 \
+  --set capsule.mesh.subdivisions=1 --set output.report=false
+if grep -q 'images of the others' shaken/summary.json; then fail "symmetry was used for a start that has none"; fi

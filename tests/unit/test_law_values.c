@@ -134,8 +134,28 @@ START_TEST(damage_laws_of_both_kinds_are_watched_in_all_they_return) {
 }
 END_TEST
 
+static int names_a_point_beyond(const mlaw_energy_args *a) {
+  a->err->point = a->n;
+  return 1;
+}
+
+START_TEST(a_point_that_is_not_of_the_batch_is_not_passed_on) {
+  static const mlaw_energy law = {.id = "stub", .eval = names_a_point_beyond};
+  const double I1[N] = {0}, I2[N] = {0};
+  double phi[N], dphi[2 * N];
+  const Material material = {.elastic.energy = &law};
+  const ElasticBatch batch = {.n = N, .ld = N, .I1 = I1, .I2 = I2, .phi = phi, .dphi = dphi};
+  Error error = {.text = "nothing"};
+  ptrdiff_t point;
+  ck_assert_int_eq(material_elastic(&material, &batch, &point, &error), STATUS_REJECT);
+  ck_assert_int_eq(point, -1);
+  ck_assert_str_eq(error.text, "law stub: the law gives no reason (status 1)");
+}
+END_TEST
+
 int main(void) {
   return suite_run("law_values",
                    (SuiteTests){sound_answers_are_taken, an_energy_law_is_watched_in_all_it_returns,
-                                damage_laws_of_both_kinds_are_watched_in_all_they_return, NULL});
+                                damage_laws_of_both_kinds_are_watched_in_all_they_return,
+                                a_point_that_is_not_of_the_batch_is_not_passed_on, NULL});
 }
