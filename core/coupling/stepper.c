@@ -12,6 +12,11 @@ static const double RADIUS_SAFETY = 1.15; /* and the radius may grow until it is
 static const double ORDER_EXPONENT = 1.0 / 3; /* the error of a step goes as h^3 */
 static const double SMALLEST_STEP = 1e-10;
 
+/* An error below this share of the tolerance says that the next step may be much longer, for which the
+ * controller aims at LENGTHENED^3 of the tolerance at once: where two errors are going, which is what a PI
+ * controller looks at, takes it ten steps to get there from the start. */
+static const double TIMID = 0.05, LENGTHENED = 0.7;
+
 /* Damage may grow by this times sqrt(tolerance) in a step (the global error goes as its square), except in
  * steps as short as this times the tolerance. */
 static const double LARGEST_GROWTH = 5, SHORTEST_GROWTH = 10;
@@ -120,10 +125,12 @@ static double clamp(double value, double low, double high) {
   return fmin(fmax(value, low), high);
 }
 
-/* Step wanted after one of size h with scaled error or growth e (PI controller). */
+/* Step wanted after one of size h with scaled error or growth e. */
 static double next_step(const Stepper *s, double h, double e) {
-  const double bounded = fmax(e, 1e-8), before = fmax(s->memory.error_before, 1e-8);
-  return h * clamp(0.85 * pow(bounded, -0.7 * ORDER_EXPONENT) * pow(before, 0.4 * ORDER_EXPONENT), 0.2, 4.0);
+  if (e < TIMID) return h * fmin(LENGTHENED * pow(fmax(e, 1e-8), -ORDER_EXPONENT), 4.0);
+  const double last = s->memory.error_before; /* a small one has had its effect */
+  const double before = last < TIMID ? pow(LENGTHENED, 1 / ORDER_EXPONENT) : last;
+  return h * clamp(0.85 * pow(e, -0.7 * ORDER_EXPONENT) * pow(before, 0.4 * ORDER_EXPONENT), 0.2, 4.0);
 }
 
 /* The step to try: what is wanted, within stability, ending on t_limit without a tiny last step. */

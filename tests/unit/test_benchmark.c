@@ -52,9 +52,9 @@ START_TEST(three_points_of_the_work_precision_curve) {
     const char *tolerance;
     long long evaluations, pairs;
     double D12, d_max;
-  } points[] = {{"time.tolerance=1e-2", 120, 29000000, 2e-5, 2e-4},
-                {"time.tolerance=1e-3", 145, 35000000, 1e-5, 5e-5},
-                {"time.tolerance=1e-4", 205, 50000000, 1e-5, 3e-5}};
+  } points[] = {{"time.tolerance=1e-2", 90, 22000000, 2e-4, 4e-4},
+                {"time.tolerance=1e-3", 120, 29000000, 1e-5, 6e-5},
+                {"time.tolerance=1e-4", 180, 44000000, 5e-6, 2e-5}};
   static const double end = 2;
   Error error;
   RunCost best = {.sets = (const char *const[]){"capsule.mesh.subdivisions=2", "time.tolerance=1e-7", NULL},
