@@ -20,3 +20,9 @@ near() {
 }
 near "$(number watched/summary.json t_c)" "$(cell 4)" t_c
 near "$(number watched/summary.json t_l)" "$(cell 5)" t_l
+
+# The last row is of that instant, and all that is lost until then is damage: no step goes on beyond it.
+[ "$(number alone/summary.json status)" = ruptured ] || fail "status: $(number alone/summary.json status)"
+last() { tail -n 1 alone/history.csv | cut -d, -f"$1"; }
+[ "$(last 1)" = "$(number alone/summary.json t_l)" ] || fail "the last row is of t = $(last 1)"
+awk -v e="$(last 17)" 'BEGIN { exit !(e != "" && e * e < 1e-3 * 1e-3) }' || fail "energy error at rupture: $(last 17)"

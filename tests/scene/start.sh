@@ -47,9 +47,10 @@ for folder in noise jitter; do
   near $folder D12 "$(number plain/summary.json D12)" 0.01
 done
 
-# What is damaged from the start is so at t = 0, and is no growth of the first step.  The sphere stays as it is, so that
+# What is damaged from the start is so at t = 0, costs the flow nothing, and is no growth of the first step.  The sphere stays as it is, so that
 # Y = (2 1.3^2 + 1.3^-4 - 3)/2 = 0.3650639 (paper eq. 4.2), with Y_D = 0.2 and Y_C = 2.
 "$capsella" run "$root/configs/shear_quick.yaml" --quiet -o damaged --set 'start.axes=[1.3, 1.3, 1.3]' \
   --set time.end=0.1 --set flow.strength='[[0, 0]]' --set output.report=false
 near damaged t_c 0 1e-6
 near damaged d_max 0.08253195 1e-4 # the polyhedron settles
+[ "$(sed -n 2p damaged/history.csv | cut -d, -f16)" = 0 ] || fail "energy spent before the first step"

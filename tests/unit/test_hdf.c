@@ -146,38 +146,66 @@ START_TEST(failures_are_named_and_give_the_reason_of_hdf5) {
 }
 END_TEST
 
-/* The class of the stored type of doubles is changed to that of texts: two of eight bytes. */
-START_TEST(more_than_one_text_is_refused) {
-  static const char doubles[8] = "\x11\x20\x3f\0\x08\0\0\0", texts[8] = "\x13\0\0\0\x08\0\0\0";
+/* A file that holds `count` doubles in /scene, with `size` bytes of it changed in as many places as they are
+ * found. */
+static Hdf *forged(size_t count, const char *from, const char *to, size_t size, int *changes) {
   Error error;
   Hdf *hdf;
   char *image;
   size_t length;
-  int changes = 0;
-  Text text = {0};
+  double *values = calloc(count, sizeof *values);
+  ck_assert_ptr_nonnull(values);
   ck_assert_int_eq(hdf_new(&hdf, FRONT, &error), STATUS_OK);
-  ck_assert_int_eq(hdf_write(hdf, "/scene", HDF_DOUBLE, 2, 0, numbers, &error), STATUS_OK);
+  ck_assert_int_eq(hdf_write(hdf, "/scene", HDF_DOUBLE, count, 0, values, &error), STATUS_OK);
+  free(values);
   ck_assert_int_eq(hdf_image(hdf, &image, &length, &error), STATUS_OK);
   hdf_free(hdf);
-  for (size_t k = 0; k + sizeof doubles <= length; k++) {
-    if (memcmp(image + k, doubles, sizeof doubles) != 0) continue;
-    memcpy(image + k, texts, sizeof texts);
-    changes++;
+  *changes = 0;
+  for (size_t k = 0; k + size <= length; k++) {
+    if (memcmp(image + k, from, size) != 0) continue;
+    memcpy(image + k, to, size);
+    ++*changes;
   }
-  ck_assert_int_eq(changes, 1);
   ck_assert_int_eq(hdf_open(&hdf, image, length, &error), STATUS_OK);
+  array_free(image);
+  return hdf;
+}
+
+/* The class of the stored type of doubles is changed to that of texts: two of eight bytes. */
+START_TEST(more_than_one_text_is_refused) {
+  static const char doubles[8] = "\x11\x20\x3f\0\x08\0\0\0", texts[8] = "\x13\0\0\0\x08\0\0\0";
+  Error error;
+  int changes;
+  Text text = {0};
+  Hdf *hdf = forged(2, doubles, texts, sizeof doubles, &changes);
+  ck_assert_int_eq(changes, 1);
   ck_assert_int_eq(hdf_read_text(hdf, "/scene", &text, &error), STATUS_IO);
   ck_assert_str_eq(error.text, "/scene: expected one text, found 2");
   text_free(&text);
   hdf_free(hdf);
-  array_free(image);
+}
+END_TEST
+
+/* The extent of an array, and what it may grow to, is changed from 291 to 2^32 + 291. */
+START_TEST(an_array_larger_than_its_file_is_refused_before_memory_is_asked_for) {
+  static const char extent[8] = "\x23\x01\0\0\0\0\0\0", larger[8] = "\x23\x01\0\0\x01\0\0\0";
+  Error error = {.text = "nothing"};
+  HdfType type;
+  size_t count;
+  int changes;
+  Hdf *hdf = forged(291, extent, larger, sizeof extent, &changes);
+  ck_assert_int_eq(changes, 2);
+  ck_assert_int_eq(hdf_describe(hdf, "/scene", &type, &count, &error), STATUS_IO);
+  ck_assert_msg(strstr(error.text, "bytes of the file, found 4294967587 values of 8 bytes"), "%s",
+                error.text);
+  hdf_free(hdf);
 }
 END_TEST
 
 int main(void) {
-  return suite_run("hdf", (SuiteTests){arrays_come_back_bit_for_bit, texts_come_back_whole,
-                                       type_and_count_are_told, a_group_lists_its_names_in_alphabetical_order,
-                                       equal_content_gives_equal_bytes,
-                                       failures_are_named_and_give_the_reason_of_hdf5,
-                                       more_than_one_text_is_refused, NULL});
+  return suite_run(
+      "hdf", (SuiteTests){arrays_come_back_bit_for_bit, texts_come_back_whole, type_and_count_are_told,
+                          a_group_lists_its_names_in_alphabetical_order, equal_content_gives_equal_bytes,
+                          failures_are_named_and_give_the_reason_of_hdf5, more_than_one_text_is_refused,
+                          an_array_larger_than_its_file_is_refused_before_memory_is_asked_for, NULL});
 }

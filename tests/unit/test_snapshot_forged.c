@@ -12,7 +12,7 @@
 #include "suite.h"
 #include <math.h>
 
-enum { NODES = 6, MOST_FIELDS = 3 };
+enum { NODES = 6, MOST_FIELDS = GRID_MAX_FIELDS + 4 };
 
 /* One element with its six nodes, but for what a test puts in its place. */
 typedef struct {
@@ -92,6 +92,23 @@ START_TEST(tables_that_do_not_fit_each_other_are_named) {
   EXPECT_REFUSED(f.node = -1, "element 0 names node -1 of 6");
   EXPECT_REFUSED(f.n_values = 7, "/VTKHDF/PointData/d: expected rows of 6 values, found 7 values");
   EXPECT_REFUSED(f.fields[2] = "a_name_that_no_field_of_a_run_has", "expected a name of less than 32 bytes");
+}
+END_TEST
+
+/* A run writes fewer; what is more has no place in the grid. */
+START_TEST(of_more_fields_than_a_grid_holds_the_rest_is_left_out) {
+  char name[MOST_FIELDS][8];
+  SnapshotGrid grid;
+  Error error;
+  Forgery forgery = WHOLE;
+  for (int k = 0; k < MOST_FIELDS; k++) {
+    snprintf(name[k], sizeof name[k], "%c", 'A' + k);
+    forgery.fields[k] = name[k];
+  }
+  ck_assert_int_eq(snapshot_read_grid(forge(&forgery), &grid, &error), STATUS_OK);
+  ck_assert_uint_eq(grid.n_fields, GRID_MAX_FIELDS);
+  for (int k = 0; k < GRID_MAX_FIELDS; k++) ck_assert_str_eq(grid.field[k].name, name[k]);
+  snapshot_grid_free(&grid);
 }
 END_TEST
 
@@ -181,6 +198,7 @@ int main(void) {
   const int failed = suite_run(
       "snapshot_forged",
       (SuiteTests){one_element_can_be_read, tables_that_do_not_fit_each_other_are_named,
+                   of_more_fields_than_a_grid_holds_the_rest_is_left_out,
                    a_picture_needs_positions_and_a_field_that_is_there,
                    maps_need_positions_and_a_field_that_is_there, a_page_leaves_out_a_state_without_positions,
                    a_map_of_sites_needs_positions, NULL});
