@@ -140,28 +140,23 @@ static void close_series(Plot *plot) {
   if (plot->series[plot->n_series - 1].n == 0) plot->n_series--;
 }
 
+static bool is_of(const WorkKnobs *knobs, int level, const WorkScheme *scheme) {
+  return knobs->subdivisions == level && strcmp(knobs->method, scheme->method) == 0 &&
+         strcmp(knobs->interpolation, scheme->interpolation) == 0 && strcmp(knobs->integrator, "rkc3") == 0;
+}
+
 static void plot_tolerances(const WorkPrecision *work, Plot *plot) {
-  static const struct {
-    const char *interpolation, *method;
-    int mark;
-  } schemes[] = {{"quadratic", "fast", 1},
-                 {"quadratic", "direct", 2},
-                 {"quadratic", "reference", 3},
-                 {"quartic", "fast", 5}};
+  static const int marks[WORK_SCHEMES] = {1, 2, 3, 5};
   for (int level = 1; level < work->reference.knobs.subdivisions; level++)
-    for (size_t m = 0; m < sizeof schemes / sizeof *schemes; m++) {
+    for (int m = 0; m < WORK_SCHEMES; m++) {
+      const WorkScheme *scheme = &work_schemes[m];
+      const bool is_quartic = strcmp(scheme->interpolation, "quartic") == 0;
       char label[64];
-      const bool is_quartic = strcmp(schemes[m].interpolation, "quartic") == 0;
-      snprintf(label, sizeof label, "%s, %d elements", is_quartic ? "quartic" : schemes[m].method,
+      snprintf(label, sizeof label, "%s, %d elements", is_quartic ? "quartic" : scheme->method,
                20 << 2 * level);
-      open_series(plot, label, CHART_LINE_AND_MARKS, level, schemes[m].mark);
-      for (int k = 0; k < work->n; k++) {
-        const WorkKnobs *knobs = &work->point[k].knobs;
-        if (knobs->subdivisions == level && strcmp(knobs->method, schemes[m].method) == 0 &&
-            strcmp(knobs->interpolation, schemes[m].interpolation) == 0 &&
-            strcmp(knobs->integrator, "rkc3") == 0)
-          add_point(plot, &work->point[k]);
-      }
+      open_series(plot, label, CHART_LINE_AND_MARKS, level, marks[m]);
+      for (int k = 0; k < work->n; k++)
+        if (is_of(&work->point[k].knobs, level, scheme)) add_point(plot, &work->point[k]);
       close_series(plot);
     }
 }

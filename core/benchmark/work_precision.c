@@ -25,13 +25,8 @@ static const char FAST[] = "fast", DIRECT[] = "direct", REFERENCE[] = "reference
 static const char *const TOLERANCES[] = {"1e-2", "4e-3", "1e-3", "1e-4", "1e-5", "1e-6"};
 enum { N_TOLERANCES = sizeof TOLERANCES / sizeof *TOLERANCES };
 
-/* A way to find the tensions and to sum the single layer. */
-typedef struct {
-  const char *interpolation, *method;
-} Scheme;
-static const Scheme SCHEMES[] = {
+const WorkScheme work_schemes[WORK_SCHEMES] = {
     {QUADRATIC, FAST}, {QUADRATIC, DIRECT}, {QUADRATIC, REFERENCE}, {QUARTIC, FAST}};
-enum { N_SCHEMES = sizeof SCHEMES / sizeof *SCHEMES };
 
 /* All tolerances with `fast`; the dear methods not on the finest mesh, but for one run that shows what the
  * quadrature adds; rk2 once, for stability rules its steps. */
@@ -49,11 +44,11 @@ static int build_grid(bool full, WorkPoint *points) {
   static const char *const integrators[] = {RK2, RKC3};
   int n = 0;
   for (int level = 1; level <= (full ? 4 : 3); level++)
-    for (int m = 0; m < N_SCHEMES; m++)
+    for (int m = 0; m < WORK_SCHEMES; m++)
       for (int i = 0; i < 2; i++)
         for (int t = 0; t < N_TOLERANCES; t++) {
-          const WorkKnobs knobs = {level, SCHEMES[m].interpolation, SCHEMES[m].method, integrators[i],
-                                   TOLERANCES[t]};
+          const WorkKnobs knobs = {level, work_schemes[m].interpolation, work_schemes[m].method,
+                                   integrators[i], TOLERANCES[t]};
           if (is_in_grid(&knobs, full)) points[n++] = (WorkPoint){.knobs = knobs};
         }
   return n;

@@ -14,6 +14,13 @@ typedef struct {
   const char *interpolation, *method, *integrator, *tolerance; /* as in a scene */
 } WorkKnobs;
 
+/* Ways to find the tensions and to sum the single layer that are compared. */
+typedef struct {
+  const char *interpolation, *method;
+} WorkScheme;
+enum { WORK_SCHEMES = 4 };
+extern const WorkScheme work_schemes[WORK_SCHEMES];
+
 /* Differences to another state. */
 typedef struct {
   double D12;   /* relative */
@@ -38,7 +45,7 @@ typedef struct {
   size_t n_times;
 } WorkCase;
 
-enum { WORK_POINTS = 4 * 4 * 2 * 6 }; /* no more meshes, methods, integrators and tolerances */
+enum { WORK_POINTS = 4 * WORK_SCHEMES * 2 * 6 }; /* no more meshes, schemes, integrators and tolerances */
 
 typedef struct {
   const WorkCase *of;

@@ -214,7 +214,7 @@ void held_polar_settle(HeldPolar *held, const double *x, int i) {
   for (int k = held->start[i]; k < held->start[i + 1]; k++) {
     Expansion expansion;
     OffsetPoints points = {.n = 0};
-    const int local = expand(held, x, x, i, k, &expansion);
+    const int local = expand(held, x, x, i, k, &expansion); /* no load is needed, and x is one */
     if (has_tangent_plane(&expansion)) tangent_points(held->rule, &expansion, local, &points);
     const size_t bytes = (size_t)points.n * sizeof(double);
     double *to = held->offset + held->first[k];
