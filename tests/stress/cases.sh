@@ -37,6 +37,18 @@ elastic() { # law and capillary number; large deformation on coarse meshes may e
   done; done
 }
 
+quartic() { # the same with tensions from four elements
+  common=membrane.interpolation=quartic
+  for law in $elastic_laws; do for Ca in 0.01 0.1 0.3 1 3 10; do
+    line quartic sound "$usual" "$common membrane.law=$law flow.capillary_number=$Ca" "$finer"
+  done; done
+  for spec in marigo:Y_D=0.2:Y_C=2 rankine:T_D=0.5:T_C=2 creep:T_R=1:tau=2; do for Ca in 0.4 0.8 1.5; do for n in 1 2; do
+    # shellcheck disable=SC2046
+    line quartic sound "$usual" "$common $(damage $(echo "$spec" | tr : ' ')) flow.capillary_number=$Ca $(mesh $n) time.end=3" "$finer"
+  done; done; done
+  line quartic right "3e-3 - - 1e-3" "$common flow.capillary_number=0.6 $(mesh 2) time.end=200" "time.tolerance=3e-5"
+}
+
 damaging() {
   for spec in $associated $others; do for law in neo_hookean skalak; do for Ca in 0.2 0.4 0.6 0.8 1.5; do for n in 1 2; do
     case $n$law in 2skalak) continue ;; esac
@@ -282,6 +294,7 @@ large() { # finer meshes
   done
   fixed_rkc2
   elastic
+  quartic
   extension
   gradients 40
   inflations

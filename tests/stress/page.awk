@@ -71,6 +71,7 @@ END {
   }
   print "\n| group | what is varied |\n|---|---|"
   print "| elastic | nine laws, Ca from 1e-3 to 10 |"
+  print "| quartic | the nine laws and three damage laws with quartic interpolation; one to t = 200 |"
   print "| damage | fifteen laws on two membranes, Ca from 0.2 to 1.5 |"
   print "| tolerance | 1e-2 to 1e-6, all integrators |"
   print "| jittered | irregular meshes, against the regular one |"
