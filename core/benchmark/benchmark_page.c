@@ -79,8 +79,12 @@ static Status bench_choices(Bench *bench, BenchmarkPage *page) {
       "ellipsoid of inertia (relative), of beta/pi and of the area strain, against `fast` on %d elements "
       "with "
       "rkc3 at 1e-5; that of d_max is absolute.\nAn error counts no less than its "
-      "largest part (by space, quadrature or time), so that parts that happen to cancel are no merit.\nAll "
-      "points are in the tables at the end of the page.\n",
+      "largest part (by space, quadrature or time), so that parts that happen to cancel are no merit.\n"
+      "`quartic` is `membrane.interpolation: quartic`, which pays where the membrane is smooth, not where it "
+      "is "
+      "compressed and wrinkles ([decision](decisions/quartic.md)).\nAll points are in the tables at the end "
+      "of "
+      "the page.\n",
       bench->options->full ? 20480 : 5120));
   for (int k = 0; k < N_CASES; k++) TRY(bench_case(bench, k, &page->picture[k]));
 cleanup:
