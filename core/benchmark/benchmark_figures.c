@@ -4,6 +4,8 @@
 #include "benchmark/benchmark_private.h"
 #include "benchmark/process.h"
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 /* The mesh of the single figures. */
 static const char *usual_mesh(const Bench *bench) {
@@ -104,27 +106,66 @@ cleanup:
 
 /* ---- single figures ---- */
 
+/* A point of the grid run again on one thread, straight to the last time. */
+typedef struct {
+  const WorkPoint *point;
+  RunCost run;
+  double error; /* of D12, and no less than its parts by space and time */
+} Straight;
+
+static double off(double value, double from) {
+  return fabs(value / from - 1);
+}
+
+static Status run_straight(const WorkPrecision *work, const WorkPoint *point, Straight *straight,
+                           Error *error) {
+  const WorkCase *of = work->of;
+  const size_t last = of->n_times - 1;
+  const WorkCase only = {of->label, of->sets, &of->times[last], 1};
+  const double best = work_best(work, &point->knobs)->D12, exact = work->reference.run.state[last].D12;
+  *straight = (Straight){.point = point};
+  const Status status = work_run(&only, &point->knobs, 1, &straight->run, error);
+  if (status != STATUS_OK) return status;
+  const double D12 = straight->run.state[0].D12;
+  straight->error = fmax(off(D12, exact), fmax(off(best, exact), off(D12, best)));
+  return STATUS_OK;
+}
+
+static bool is_candidate(const WorkKnobs *knobs) {
+  return strcmp(knobs->method, "fast") == 0 && strcmp(knobs->integrator, "rkc3") == 0 &&
+         strtod(knobs->tolerance, NULL) >= 1e-5 && knobs->subdivisions <= 3;
+}
+
 static Status bench_D12(Bench *bench) {
   static const double limits[] = {4e-3, 4e-4, 4e-5};
   const WorkPrecision *work = &bench->work[ELASTIC];
+  const size_t last = work->of->n_times - 1;
+  Straight best[3] = {{0}};
   Status status;
-  TRY(text_append(bench->page, bench->error, "- Ca = 0.6 without damage, D12(t = 8) = %.5f on %d elements.",
-                  work->reference.run.state[3].D12, 20 << 2 * work->reference.knobs.subdivisions));
-  for (int k = 0; k < 3; k++) {
-    const WorkPoint *point = work_cheapest(work->point, work->n, offsetof(WorkError, D12), limits[k]);
-    if (!point) {
-      TRY(text_append(bench->page, bench->error, " Within %g %%: not reached.", 100 * limits[k]));
+  for (int k = 0; k < work->n; k++) {
+    Straight straight;
+    if (!is_candidate(&work->point[k].knobs)) continue;
+    TRY(run_straight(work, &work->point[k], &straight, bench->error));
+    for (int i = 0; i < 3; i++)
+      if (straight.error <= limits[i] &&
+          (!best[i].point || straight.run.cpu_seconds < best[i].run.cpu_seconds))
+        best[i] = straight;
+  }
+  TRY(text_append(
+      bench->page, bench->error,
+      "- Ca = 0.6 without damage, D12(t = 8) = %.5f on %d elements. On one thread, straight to t = 8:",
+      work->reference.run.state[last].D12, 20 << 2 * work->reference.knobs.subdivisions));
+  for (int i = 0; i < 3; i++) {
+    if (!best[i].point) {
+      TRY(text_append(bench->page, bench->error, " within %g %%: not reached.", 100 * limits[i]));
       continue;
     }
-    RunCost alone;
-    TRY(work_run(work->of, &point->knobs, 1, &alone, bench->error));
-    TRY(text_append(bench->page, bench->error,
-                    " Within %g %%: %.3f CPU s on one thread, %.3f on two (%d elements, %s, %s, %s %s, %lld "
-                    "evaluations, off by %.3f %%).",
-                    100 * limits[k], alone.cpu_seconds, point->run.cpu_seconds,
-                    20 << 2 * point->knobs.subdivisions, point->knobs.interpolation, point->knobs.method,
-                    point->knobs.integrator, point->knobs.tolerance, point->run.evaluations,
-                    100 * point->error.D12));
+    const WorkKnobs *knobs = &best[i].point->knobs;
+    TRY(text_append(
+        bench->page, bench->error,
+        " within %g %%: %.3f CPU s (%d elements, %s, %s, %s %s, %lld evaluations, off by %.4f %%).",
+        100 * limits[i], best[i].run.cpu_seconds, 20 << 2 * knobs->subdivisions, knobs->interpolation,
+        knobs->method, knobs->integrator, knobs->tolerance, best[i].run.evaluations, 100 * best[i].error));
   }
   TRY(text_append(bench->page, bench->error, "\n"));
 cleanup:

@@ -112,15 +112,20 @@ static const RunState *find_state(const WorkPrecision *result, WorkKnobs knobs) 
   return NULL;
 }
 
+const RunState *work_best(const WorkPrecision *result, const WorkKnobs *knobs) {
+  WorkKnobs best = *knobs;
+  best.method = FAST;
+  best.integrator = RKC3;
+  best.tolerance = TIGHT;
+  return find_state(result, best);
+}
+
 /* Each part varies one knob and keeps the others where they are known best or matter least. */
 static void split_error(WorkPrecision *result, WorkPoint *point) {
   const WorkKnobs *knobs = &point->knobs;
   WorkKnobs other = *knobs;
   other.method = FAST;
-  const RunState *stepped = find_state(result, other);
-  other.integrator = RKC3;
-  other.tolerance = TIGHT;
-  const RunState *best = find_state(result, other);
+  const RunState *stepped = find_state(result, other), *best = work_best(result, knobs);
   const RunState *summed =
       find_state(result, (WorkKnobs){knobs->subdivisions, QUADRATIC, knobs->method, RKC3, USUAL});
   const RunState *exact =

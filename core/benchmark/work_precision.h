@@ -72,6 +72,9 @@ Status work_run(const WorkCase *work, const WorkKnobs *knobs, int threads, RunCo
 Status work_precision(const WorkCase *work, bool full, int threads, WorkProgress progress,
                       WorkPrecision *result, Error *error);
 
+/* The last state of the run on the same mesh with the same interpolation that is converged in time. */
+const RunState *work_best(const WorkPrecision *result, const WorkKnobs *knobs);
+
 /* An error as it counts: no less than the largest part, since parts that happen to cancel are no merit. */
 double work_counted(const WorkPoint *point, double error);
 
