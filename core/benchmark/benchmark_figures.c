@@ -157,15 +157,17 @@ static Status bench_D12(Bench *bench) {
       work->reference.run.state[last].D12, 20 << 2 * work->reference.knobs.subdivisions));
   for (int i = 0; i < 3; i++) {
     if (!best[i].point) {
-      TRY(text_append(bench->page, bench->error, " within %g %%: not reached.", 100 * limits[i]));
+      TRY(text_append(bench->page, bench->error, " within %g %%: not reached%s", 100 * limits[i],
+                      i < 2 ? ";" : "."));
       continue;
     }
     const WorkKnobs *knobs = &best[i].point->knobs;
     TRY(text_append(
         bench->page, bench->error,
-        " within %g %%: %.3f CPU s (%d elements, %s, %s, %s %s, %lld evaluations, off by %.4f %%).",
+        " within %g %%: %.3f CPU s (%d elements, %s, %s, %s %s, %lld evaluations, off by %.4f %%)%s",
         100 * limits[i], best[i].run.cpu_seconds, 20 << 2 * knobs->subdivisions, knobs->interpolation,
-        knobs->method, knobs->integrator, knobs->tolerance, best[i].run.evaluations, 100 * best[i].error));
+        knobs->method, knobs->integrator, knobs->tolerance, best[i].run.evaluations, 100 * best[i].error,
+        i < 2 ? ";" : "."));
   }
   TRY(text_append(bench->page, bench->error, "\n"));
 cleanup:
