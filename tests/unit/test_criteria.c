@@ -4,6 +4,7 @@
 
 #include "run/record.h"
 #include "suite.h"
+#include "voyage.h"
 #include <math.h>
 #include <string.h>
 
@@ -23,28 +24,6 @@
   "    - {name: area, law: area_dilation, parameters: {alpha_D: 0.2, alpha_C: 1.05}}\n"                      \
   "    - {name: tension, law: rankine, parameters: {T_D: 0.5, T_C: 0.25}}\n"                                 \
   "    - {name: never, law: max_stretch, parameters: {L_D: 2.5, L_C: 1}}\n"
-
-typedef struct {
-  Scene scene;
-  Simulation simulation;
-  Record record;
-} Voyage;
-
-static void voyage_open(Voyage *v, const char *text) {
-  Error error;
-  setenv("MLAW_PLUGIN_PATH", BUILD_DIR "/plugins", 1);
-  ck_assert_int_eq(scene_read_text(&v->scene, "scene.yaml", text, strlen(text), NULL, 0, &error), STATUS_OK);
-  ck_assert_int_eq(simulation_new(&v->simulation, &v->scene, NULL, &error), STATUS_OK);
-  ck_assert_int_eq(record_new(&v->record, &v->simulation, &error), STATUS_OK);
-  ck_assert_int_eq(simulation_start(&v->simulation, &error), STATUS_OK);
-  ck_assert_int_eq(record_begin(&v->record, false, &error), STATUS_OK);
-}
-
-static void voyage_close(Voyage *v) {
-  record_free(&v->record);
-  simulation_free(&v->simulation);
-  scene_free(&v->scene);
-}
 
 static void sail(Voyage *v) {
   Motion *motion = v->simulation.motion;

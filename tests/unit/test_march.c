@@ -2,8 +2,8 @@
 #include "run/march.h"
 
 #include "suite.h"
+#include "voyage.h"
 #include <math.h>
-#include <string.h>
 
 #define SCENE(at_rupture)                                                                                    \
   "schema: 1\n"                                                                                              \
@@ -19,28 +19,6 @@
 static const double RUPTURE = 0.9138259926;
 /* Events are located to 1e-6 of a step, which is 0.1 long at most. */
 static const double RESOLUTION = 1e-7;
-
-typedef struct {
-  Scene scene;
-  Simulation simulation;
-  Record record;
-} Voyage;
-
-static void voyage_open(Voyage *v, const char *text) {
-  Error error;
-  setenv("MLAW_PLUGIN_PATH", BUILD_DIR "/plugins", 1);
-  ck_assert_int_eq(scene_read_text(&v->scene, "scene.yaml", text, strlen(text), NULL, 0, &error), STATUS_OK);
-  ck_assert_int_eq(simulation_new(&v->simulation, &v->scene, NULL, &error), STATUS_OK);
-  ck_assert_int_eq(record_new(&v->record, &v->simulation, &error), STATUS_OK);
-  ck_assert_int_eq(simulation_start(&v->simulation, &error), STATUS_OK);
-  ck_assert_int_eq(record_begin(&v->record, false, &error), STATUS_OK);
-}
-
-static void voyage_close(Voyage *v) {
-  record_free(&v->record);
-  simulation_free(&v->simulation);
-  scene_free(&v->scene);
-}
 
 /* Steps until rupture is told or the end is reached; which of them it was. */
 static bool march(Voyage *v) {
